@@ -62,11 +62,11 @@ import badlog.window.robot.RobotRecording
 import badlog.window.settings.OwnFiles
 import badlog.window.settings.Settings
 import badlog.window.settings.SettingsStore
+import badlog.window.sidebar.AcrossChoice
 import badlog.window.sidebar.FrontPart
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
 import badlog.window.sidebar.Panels
-import badlog.window.sidebar.SelectedStatistics
 import badlog.window.sidebar.TableSaver
 import badlog.window.sidebar.WindowPanels
 import badlog.window.task.FileWrites
@@ -125,7 +125,7 @@ internal class Viewer(
         }
     val events = FilteredEvents(current)
     val topics = TopicListing()
-    val statistics = SelectedStatistics()
+    val across = AcrossChoice()
     val player = Player(current, view)
     val findings: CurrentFindings = CurrentFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val since = SinceLastMatch(current, library)

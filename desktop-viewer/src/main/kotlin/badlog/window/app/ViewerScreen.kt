@@ -32,11 +32,11 @@ import badlog.window.pit.PitPane
 import badlog.window.robot.RecordingLine
 import badlog.window.settings.PaneWidths
 import badlog.window.settings.SettingsStore
+import badlog.window.sidebar.AcrossPane
 import badlog.window.sidebar.FrontPart
 import badlog.window.sidebar.InspectorPane
 import badlog.window.sidebar.MainView
 import badlog.window.sidebar.Panels
-import badlog.window.sidebar.StatisticsTable
 import badlog.window.sidebar.rememberCopy
 import badlog.window.task.StatusLines
 import badlog.window.theme.LocalPalette
@@ -181,8 +181,8 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
 
             MainView.TODO -> TodoPane(todo, library, logActions, rememberCopy(), Modifier.fillMaxSize())
 
-            MainView.STATISTICS -> StatisticsTable(
-                statistics,
+            MainView.STATISTICS -> AcrossPane(
+                across,
                 library.state.entries,
                 compared.drawn.map { it.recording },
                 findings.state.topics,

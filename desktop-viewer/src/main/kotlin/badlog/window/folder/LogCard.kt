@@ -27,10 +27,10 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.panel.Cell
 import badlog.viewer.panel.Check
-import badlog.viewer.panel.Entry
-import badlog.viewer.panel.EntryCell
-import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Table
+import badlog.viewer.panel.TableRow
 import badlog.viewer.panel.folder.PREVIEW
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.state.Action
@@ -46,7 +46,7 @@ import badlog.window.theme.Tip
 
 /** Shows [row] of [table] in a narrow list: its title, facts, what happened, a preview, and the files of a match with several. */
 @Composable
-internal fun LogCard(row: Entry, table: EntryTable, isOpen: Boolean, isSelected: Boolean, send: (Action) -> Unit) {
+internal fun LogCard(row: TableRow, table: Table, isOpen: Boolean, isSelected: Boolean, send: (Action) -> Unit) {
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
@@ -59,7 +59,7 @@ internal fun LogCard(row: Entry, table: EntryTable, isOpen: Boolean, isSelected:
             .fillMaxWidth()
             .background(rowColor(palette, isOpen || isSelected, isHovered))
             .hoverable(interactions)
-            .clickable(onClickLabel = "Open") { send(row.open) }
+            .clickable(onClickLabel = "Open") { row.open?.let(send) }
             .semantics {
                 contentDescription = "Log ${row.name}"
                 selected = isOpen
@@ -91,7 +91,7 @@ internal fun LogCard(row: Entry, table: EntryTable, isOpen: Boolean, isSelected:
 }
 
 @Composable
-private fun FileLine(file: EntryCell, check: Check?, send: (Action) -> Unit) {
+private fun FileLine(file: Cell, check: Check?, send: (Action) -> Unit) {
     val press = file.open?.let { open -> Modifier.clickable { send(open) } } ?: Modifier
     Row(verticalAlignment = Alignment.CenterVertically) {
         if (check != null) CheckView(check, send)
@@ -100,7 +100,7 @@ private fun FileLine(file: EntryCell, check: Check?, send: (Action) -> Unit) {
 }
 
 @Composable
-private fun Facts(cells: List<EntryCell>) {
+private fun Facts(cells: List<Cell>) {
     val palette = LocalPalette.current
     val text = buildAnnotatedString {
         cells.forEachIndexed { i, cell ->

@@ -22,12 +22,12 @@ import androidx.compose.ui.input.key.type
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import badlog.catalog.folder.LogEntry
-import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Table
 import badlog.viewer.panel.folder.logTable
 import badlog.viewer.panel.folder.withPreviews
 import badlog.viewer.state.Action
 import badlog.viewer.state.FolderAction
-import badlog.window.panel.EntryTableView
+import badlog.window.panel.WideTableView
 import badlog.window.settings.SettingsStore
 import badlog.window.theme.KeepInSight
 import badlog.window.theme.LocalPalette
@@ -61,7 +61,7 @@ private fun Table(library: Library, settings: SettingsStore, shown: ShownLogs, a
             .focusable()
             .semantics { contentDescription = "Table of logs" },
     ) {
-        EntryTableView(
+        WideTableView(
             table,
             sendTo(library, list, actions, actions.openInGraphs),
             list,
@@ -76,7 +76,7 @@ private fun Table(library: Library, settings: SettingsStore, shown: ShownLogs, a
 
 /** Returns the listed logs as a table, see [logTable]. */
 @Composable
-internal fun rememberTable(library: Library, settings: SettingsStore, shown: ShownLogs): EntryTable {
+internal fun rememberTable(library: Library, settings: SettingsStore, shown: ShownLogs): Table {
     val listing = library.state.listing
     val topic = settings.state.previewTopic
     return remember(listing, topic, shown.checked) {
@@ -86,7 +86,7 @@ internal fun rememberTable(library: Library, settings: SettingsStore, shown: Sho
 
 /** Keeps the selected row of [table] in sight, and [list] at its top when logs are added above. */
 @Composable
-internal fun LogListPlace(list: LazyListState, table: EntryTable, selected: String?) {
+internal fun LogListPlace(list: LazyListState, table: Table, selected: String?) {
     StayAtTop(list, table.groups)
     val keys =
         remember(table) { table.groups.flatMap { group -> listOf("").filter { group.title.isNotEmpty() } + group.rows.map { it.key } } }

@@ -29,8 +29,8 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.recording.Severity
+import badlog.viewer.panel.Cell
 import badlog.viewer.panel.Check
-import badlog.viewer.panel.EntryCell
 import badlog.viewer.state.Action
 import badlog.viewer.text.word
 import badlog.window.findings.findingColor
@@ -47,7 +47,7 @@ import badlog.window.theme.Tip
  */
 @Composable
 internal fun CellView(
-    cell: EntryCell,
+    cell: Cell,
     row: String,
     color: Color,
     weight: FontWeight,
@@ -79,7 +79,7 @@ internal fun CellView(
     // The link is outside the tooltip, because a click may begin before the tooltip appears.
     Box(pressed) {
         // A tooltip costs as much as the rest of the row, so only the one under the pointer has it.
-        if (isHovered && cell.hint.isNotEmpty()) Tip(cell.hint) { content() } else content()
+        if (isHovered && cell.hint != cell.text) Tip(cell.hint) { content() } else content()
     }
 }
 

@@ -7,7 +7,6 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.LazyListState
-import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.runtime.Composable
@@ -22,7 +21,6 @@ import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
 import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
-import badlog.viewer.panel.Row
 import badlog.viewer.panel.Rows
 import badlog.viewer.state.Action
 
@@ -35,10 +33,11 @@ import badlog.viewer.state.Action
 internal fun PanelView(parts: List<Part>, goal: Any?, send: (Action) -> Unit, modifier: Modifier) {
     val (above, below) = remember(parts) {
         fun stays(part: Part) = part is Heading || part is Paragraph || part is Buttons || part is Field
-        parts.takeWhile(::stays) to parts.dropWhile(::stays).flatMap(::flat)
+        parts.takeWhile(::stays) to parts.dropWhile(::stays).flatMap(::blocksOf)
     }
     val state = rememberLazyListState()
-    val current = below.mapIndexedNotNull { i, cell -> i.takeIf { (cell.part as? Row)?.isCurrent == true } }
+    val starts = below.runningFold(0) { sum, block -> sum + block.parts.size }
+    val current = below.zip(starts) { block, start -> (start + block.current).takeIf { block.current >= 0 } }.filterNotNull()
     LaunchedEffect(goal) {
         if (current.isEmpty()) return@LaunchedEffect
         // The height of the rows below is known only after layout.
@@ -51,27 +50,25 @@ internal fun PanelView(parts: List<Part>, goal: Any?, send: (Action) -> Unit, mo
         for (part in above) PartView(part, send)
         Box(Modifier.weight(1f)) {
             LazyColumn(Modifier.fillMaxSize(), state) {
-                items(below, key = { it.key }) { PartView(it.part, send) }
+                for (block in below) {
+                    items(block.parts.size, key = { "${block.key}\u0000${block.parts[it].key}" }) { PartView(block.parts[it], send) }
+                }
             }
             VerticalScrollbar(rememberScrollbarAdapter(state), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
         }
     }
 }
 
-/** A [part] of a list that scrolls, with a key that no other part of the list has. */
-private class Cell(val key: String, val part: Part)
+/** The [parts] of a list that scrolls, with a [key] that no other parts of the list have; [current] is the index of the current one, or -1. */
+private class Block(val key: String, val parts: List<Part>, val current: Int = -1)
 
-private fun flat(part: Part): List<Cell> = when {
-    part is Rows -> part.rows.map { Cell("${part.key}\u0000${it.key}", it) }
-
-    part is Fold -> listOf(Cell(part.key, part)) + if (part.isOpen) {
-        part.parts.flatMap(::flat).map { Cell("${part.key}\u0000${it.key}", it.part) }
-    } else {
-        emptyList()
-    }
-
-    else -> listOf(Cell(part.key, part))
+private fun blocksOf(part: Part): List<Block> = when (part) {
+    is Rows -> listOf(Block(part.key, part.rows, part.current))
+    is Fold -> listOf(Block("", listOf(part))) + if (part.isOpen) part.parts.flatMap(::blocksOf).map { it.within(part) } else emptyList()
+    else -> listOf(Block("", listOf(part)))
 }
+
+private fun Block.within(fold: Fold) = Block("${fold.key}\u0000$key", parts, current)
 
 /** Scrolls [list] until all of item [index] is visible; if it is higher than the list, its start. */
 private suspend fun showWhole(list: LazyListState, index: Int) {

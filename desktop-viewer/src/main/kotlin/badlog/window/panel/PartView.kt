@@ -33,7 +33,6 @@ import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
 import badlog.viewer.panel.Choice
 import badlog.viewer.panel.Code
-import badlog.viewer.panel.EntryTable
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
@@ -46,6 +45,7 @@ import badlog.viewer.panel.Rows
 import badlog.viewer.panel.Table
 import badlog.viewer.panel.Tone
 import badlog.viewer.panel.Trouble
+import badlog.viewer.panel.Value
 import badlog.viewer.state.Action
 import badlog.window.findings.findingColor
 import badlog.window.pen.pen
@@ -70,9 +70,9 @@ internal fun PartView(part: Part, send: (Action) -> Unit, modifier: Modifier = M
         is Fold -> FoldTitle(part, send)
         is Rows -> for (row in part.rows) PartView(row, send)
         is PanelRow -> RowView(part, send)
+        is Value -> ValueView(part, send)
         is Table -> TableView(part, send)
         is Picture -> PictureView(part)
-        is EntryTable -> EntryTableView(part, send)
     }
 }
 
@@ -124,6 +124,7 @@ internal val PartIcon.vector: ImageVector
         PartIcon.ADD -> Icons.Add
         PartIcon.REMOVE -> Icons.Remove
         PartIcon.NOTE -> Icons.Note
+        PartIcon.ZOOM -> Icons.Search
         PartIcon.CLOSE -> Icons.Close
         PartIcon.DONE -> Icons.Check
         PartIcon.PERSON -> Icons.Flag

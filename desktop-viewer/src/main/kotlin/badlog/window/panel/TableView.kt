@@ -21,7 +21,6 @@ import badlog.viewer.panel.Button
 import badlog.viewer.panel.Cell
 import badlog.viewer.panel.Column
 import badlog.viewer.panel.Table
-import badlog.viewer.panel.TableRow
 import badlog.viewer.state.Action
 import badlog.viewer.text.withUnit
 import badlog.window.theme.LocalPalette
@@ -35,18 +34,20 @@ internal fun TableView(table: Table, send: (Action) -> Unit) {
     val isNarrow = table.columns.size <= MAX_BESIDE
     Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 10.dp)) {
         val columns = table.columns.drop(1)
-        val isOne = table.rows.drop(1).all { it.continues }
+        val isOne = table.rows.drop(1).all { it.cells.first().isEmpty() }
         if (isNarrow && !isOne) {
             Text(table.columns.first().title, fontWeight = FontWeight.SemiBold)
             Titles(columns, send)
         }
         for (row in table.rows) {
-            if (!row.continues) Subject(row, send)
-            if (!row.continues && isNarrow && isOne) Titles(columns, send)
+            val subject = row.cells.first()
+            val cells = row.cells.drop(1).map { it.firstOrNull() ?: Cell("") }
+            Subject(subject, send)
+            if (subject.isNotEmpty() && isNarrow && isOne) Titles(columns, send)
             if (isNarrow) {
-                Row(verticalAlignment = Alignment.CenterVertically) { for (cell in row.cells) Value(cell, send, Modifier.weight(1f)) }
+                Row(verticalAlignment = Alignment.CenterVertically) { for (cell in cells) Value(cell, send, Modifier.weight(1f)) }
             } else {
-                for (pair in columns.zip(row.cells).chunked(2)) {
+                for (pair in columns.zip(cells).chunked(2)) {
                     Row(Modifier.fillMaxWidth()) {
                         for ((column, cell) in pair) {
                             Row(Modifier.weight(1f).padding(end = 4.dp)) {
@@ -72,36 +73,31 @@ private fun Title(column: Column, send: (Action) -> Unit, modifier: Modifier) {
     if (sort == null) {
         Tip(column.hint, modifier) { NameText(column.title, color = LocalPalette.current.muted, fontSize = 12.sp, cut = NameCut.MIDDLE) }
     } else {
-        Row(modifier) { ButtonsView(listOf(Button(column.title, sort, hint = column.hint, isOn = column.isSorted)), send) }
+        Row(modifier) { ButtonsView(listOf(Button(column.title, sort, hint = column.hint, isOn = column.isDescending != null)), send) }
     }
 }
 
-/** The name of [row], its log if there are several, and its buttons. */
+/** The subject of a row, and the log it is from if there are several. */
 @Composable
-private fun Subject(row: TableRow, send: (Action) -> Unit) {
-    Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
-        if (row.log.isEmpty()) Swatch(row)
-        NameText(row.name, Modifier.weight(1f), fontWeight = FontWeight.SemiBold)
-        ButtonsView(row.tools, send, areIcons = true)
+private fun Subject(cells: List<Cell>, send: (Action) -> Unit) {
+    cells.forEachIndexed { i, cell ->
+        Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+            cell.color?.let { Box(Modifier.size(8.dp).background(LocalPalette.current.line(it), RoundedCornerShape(2.dp))) }
+            if (i == 0) {
+                NameText(cell.text, Modifier.weight(1f), fontWeight = FontWeight.SemiBold)
+            } else {
+                NameText(cell.text, color = LocalPalette.current.muted, fontSize = 12.sp)
+            }
+            ButtonsView(cell.tools, send, areIcons = true)
+        }
     }
-    if (row.log.isEmpty()) return
-    Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
-        Swatch(row)
-        NameText(row.log, color = LocalPalette.current.muted, fontSize = 12.sp)
-    }
-}
-
-@Composable
-private fun Swatch(row: TableRow) {
-    row.color?.let { Box(Modifier.size(8.dp).background(LocalPalette.current.line(it), RoundedCornerShape(2.dp))) }
 }
 
 @Composable
 private fun Value(cell: Cell, send: (Action) -> Unit, modifier: Modifier) {
-    val go = cell.go
-    if (go != null) return Row(modifier) { ButtonsView(listOf(go), send) }
+    cell.open?.let { return Row(modifier) { ButtonsView(listOf(Button(cell.text, it, hint = cell.hint)), send) } }
     // A number that is cut off would be a different one, so two lines are better.
-    Tip(withUnit(cell.exact, cell.unit), modifier) { Text(withUnit(cell.text, cell.unit), fontSize = 12.sp, lineHeight = 15.sp) }
+    Tip(withUnit(cell.hint, cell.unit), modifier) { Text(withUnit(cell.text, cell.unit), fontSize = 12.sp, lineHeight = 15.sp) }
 }
 
 /** The largest number of columns, including the one of names, that fit beside each other. */

@@ -95,7 +95,7 @@ internal fun InspectorPane(
                 if (action is FindingAction.GoTo || action is PlaceAction.GoTo) showGraphs()
             }
             when (tab) {
-                InspectorTab.EVENTS -> EventsPanel(view, events, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.EVENTS -> EventsPanel(view, events, open, go, Modifier.fillMaxSize())
 
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
 

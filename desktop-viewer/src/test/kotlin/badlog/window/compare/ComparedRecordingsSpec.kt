@@ -11,6 +11,7 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.files.UserFolders
 import badlog.viewer.shown.statistics.Statistic
+import badlog.viewer.state.AcrossState
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.files.ChosenFiles
@@ -18,7 +19,6 @@ import badlog.window.files.FileChoice
 import badlog.window.files.SystemFileChoice
 import badlog.window.recordingOf
 import badlog.window.sidebar.MainView
-import badlog.window.sidebar.StatisticsChoice
 import badlog.window.waiting.waitFor
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
@@ -81,7 +81,7 @@ class ComparedRecordingsSpec : FunSpec({
         val viewer = viewerOf(ChosenFiles(saved))
         val read = recordingOf(Files.readString(other), other.toString())
         viewer.compared.change { Comparison().with(other).withLoaded(read) }
-        viewer.statistics.change { StatisticsChoice(listOf("A"), setOf(Statistic.MAX)) }
+        viewer.across.change { AcrossState(listOf("A"), setOf(Statistic.MAX)) }
         runDesktopComposeUiTest(1300, 700) {
             setContent { ViewerScreen(viewer) }
             onNodeWithContentDescription("Move other.bag by +0.1").performClick()

@@ -9,7 +9,7 @@ import badlog.window.bagOf
 import badlog.window.graph.withFormulas
 import badlog.window.layout.fitted
 import badlog.window.recordingOf
-import badlog.window.sidebar.statisticsRow
+import badlog.window.sidebar.acrossLog
 import badlog.window.theme.Palette
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
@@ -39,7 +39,7 @@ class FormulaSpec : FunSpec({
 
     test("a formula has statistics; over a log without samples, it is reported as empty") {
         val open = recording.withFormulas(listOf(power))
-        statisticsRow(open, listOf("Power"), "").statistics.getValue("Power").mean shouldBe (17.0 plusOrMinus 1e-9)
+        acrossLog(open, listOf("Power"), "").statistics.getValue("Power").mean shouldBe (17.0 plusOrMinus 1e-9)
         val nothing = recordingOf("").withFormulas(listOf("One = 1"))
         reasonFor(nothing.formulas.single(), nothing) shouldBe "It has no samples here."
         nothing.signals shouldBe emptyList()

@@ -1,7 +1,6 @@
 package badlog.window.sidebar
 
 import badlog.viewer.choices.board.Board
-import badlog.viewer.shown.cursor.CursorValues
 import badlog.window.bagOf
 import badlog.window.recordingOf
 import io.kotest.core.spec.style.FunSpec
@@ -20,16 +19,11 @@ class InspectorTextsSpec : FunSpec({
         recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"))).times.sinceEnabled(0.0) shouldBe null
     }
 
-    test("the cursor's values are the topics of the graphs, or of a search, and those that just changed come first") {
+    test("the cursor's values are the topics of the graphs, or of a search") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "A", "B", "Mode"), listOf("0,1,5,off", "1,1,5,off", "2,1,9,off", "3,1,9,on")))
         val board = Board().withGraph(listOf("A", "B"))
         cursorSignals(open, board, "").map { it.name } shouldContainExactly listOf("A", "B")
         cursorSignals(open, board, "mo").map { it.name } shouldContainExactly listOf("Mode")
         cursorSignals(open, board, "is:state | has:finding", setOf("B")).map { it.name } shouldContainExactly listOf("B", "Mode")
-        val shown = cursorSignals(open, board, "")
-        val values = CursorValues(shown.map { it.line }, open.view.xAxis)
-        cursorRows(shown, values, 2.0).map { it.name to it.text } shouldContainExactly listOf("B" to "9 V", "A" to "1 V")
-        cursorRows(shown, values, 0.0).map { it.name } shouldContainExactly listOf("A", "B")
-        cursorRows(shown, values, null).map { it.text } shouldContainExactly listOf("", "")
     }
 })

@@ -26,8 +26,8 @@ internal class CursorPanelSpec : PageSpec({
         )
     }
 
-    fun OpenPage.rows() = texts(".cursor-value:not([hidden])")
-    fun OpenPage.changed() = texts(".cursor-value.is-changed:not([hidden]) .cursor-value-name")
+    fun OpenPage.rows() = texts(".cursor-value")
+    fun OpenPage.changed() = texts(".cursor-value.is-marked .cut-name")
 
     browserTest("the values of all graphs at the cursor are listed, pinned and searched, also on a phone") {
         onPage(page) {
@@ -49,11 +49,11 @@ internal class CursorPanelSpec : PageSpec({
                 // Another place than before: a second click there could be a double click.
                 graph("Jump").click(0.55)
                 await("the values") { rows() == listOf("Still12 V", "Jump7 A", "Modeauto") }
-                fun pin() = elements(".cursor-value:not([hidden]) .pin")[1]
+                fun pin() = elements(".cursor-value .pin")[1]
                 pin().click()
                 await("its graph") { texts("#board .graph-title") == listOf("Jump") }
                 rows().single().startsWith("Jump") shouldBe true
-                click(".cursor-value:not([hidden]) .pin")
+                click(".cursor-value .pin")
                 await("no graph") { texts("#board .graph-title").isEmpty() }
             }
             press("v")
@@ -84,9 +84,9 @@ internal class CursorPanelSpec : PageSpec({
             onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("/Arm/Angle (raw)")), 11) { row, _ -> row })) {
                 press("v")
                 graph("/Arm/Angle (raw)").click(0.4)
-                val place = "const text = document.querySelector('.cursor-value-name bdi, .cursor-value-name').firstChild; " +
-                    "const at = i => { const r = document.createRange(); const t = text.firstChild || text; r.setStart(t, i); " +
-                    "r.setEnd(t, i + 1); return r.getBoundingClientRect().left }; return "
+                val place = "const text = document.querySelector('.cursor-value bdi').firstChild; " +
+                    "const at = i => { const r = document.createRange(); r.setStart(text, i); " +
+                    "r.setEnd(text, i + 1); return r.getBoundingClientRect().left }; return "
                 number(place + "at(1) - at(0)") shouldBeGreaterThan 0.0
                 number(place + "at(15) - at(14)") shouldBeGreaterThan 0.0
             }
@@ -102,10 +102,10 @@ internal class CursorPanelSpec : PageSpec({
                     return element.getDomAttribute("title").orEmpty()
                 }
                 titleOver(graph("Seventh").legend("Seventh")).lines().last() shouldBe "4.142857142857143"
-                titleOver(element(".cursor-value-text")) shouldBe "4.142857142857143"
+                titleOver(element(".value-text")) shouldBe "4.142857142857143"
                 graph("Seventh").click(0.6)
                 rows() shouldNotBe listOf("Seventh4.14286")
-                element(".cursor-value-text").getDomAttribute("title") shouldBe null
+                element(".value-text").getDomAttribute("title") shouldBe null
                 script("arguments[0].querySelector('.statistics-toggle').click()", graph("Seventh").card)
                 val maximum = elements(".statistics tbody td")[1]
                 maximum.text to maximum.getDomAttribute("title") shouldBe ("10.1429" to "10.142857142857142")

@@ -33,8 +33,8 @@ internal class EventSpec : PageSpec({
     browserTest("events are listed, marked on graphs, and visited") {
         onPage(page) {
             step("events are listed with their times, in order, and the bar names the last one before the cursor") {
-                texts(".event td.event-time").map { it.toDouble() } shouldBe listOf(1.5, 8.0)
-                texts(".event td.event-text") shouldBe listOf("autonomous", "brownout")
+                texts(".event .event-go").map { it.toDouble() } shouldBe listOf(1.5, 8.0)
+                texts(".event .finding-text") shouldBe listOf("autonomous", "brownout")
                 graph("Angle").hover(0.9)
                 texts(".event-readout").single() shouldBe "8.000  brownout"
                 // Less than a mark's width before the second event, which has not happened yet.
@@ -62,7 +62,7 @@ internal class EventSpec : PageSpec({
                 click("#back")
                 8.0 shouldBeIn visibleRange
                 act { moveToElement(elements(".event")[1]) }
-                elements(".event-zoom")[1].click()
+                elements(".event .pin")[1].click()
                 settle()
                 8.0 shouldBeIn visibleRange
                 visibleRange.endInclusive - visibleRange.start shouldBe (1.0 plusOrMinus 0.7)
@@ -82,10 +82,10 @@ internal class EventSpec : PageSpec({
                 texts(".events-link .count").single().toInt() shouldBe elements(".event").size
             }
         }
-        step("an empty event log says so, instead of showing an empty table") {
+        step("an empty event log says so, instead of showing an empty list") {
             onPage(TestPages.of(bagOf(topics, 101) { row, column -> if (column == 2) null else row / 10.0 })) {
                 texts(".events p") shouldBe listOf("No events.")
-                elements(".events table").count { it.isDisplayed } shouldBe 0
+                elements(".events ol").count { it.isDisplayed } shouldBe 0
             }
         }
     }

@@ -64,11 +64,11 @@ internal class FolderToolsSpec : PageSpec({
                 check("a1.bag")
                 check("b1.bag")
                 settle()
-                script("const s = document.querySelector('#statistic'); s.value = [...s.options].find(o => o.text === 'max').value; s.dispatchEvent(new Event('change'))")
+                script("[...document.querySelectorAll('.log-statistics .statistic button')].find(b => b.textContent === 'max').click()")
                 settle()
                 texts(".log-statistics tbody th") shouldContainExactly listOf("Time [s]", "Volts [V]", "Arm [m]")
                 texts(".log-statistics tbody tr:nth-child(2) td") shouldContainExactly listOf("12", "13")
-                element("#statistics-search").sendKeys("arm")
+                element(".log-statistics input").sendKeys("arm")
                 settle()
                 texts(".log-statistics tbody th") shouldContainExactly listOf("Arm [m]")
                 seriousForReaders() shouldBe emptyList()
@@ -89,13 +89,13 @@ internal class FolderToolsSpec : PageSpec({
             onPage(page, state = "empty", script = counting) {
                 choose(folder)
                 number("return window.started").toInt() shouldBeGreaterThan 0
-                val before = texts("td.FINDINGS, td.MATCH")
+                val before = texts("td.FINDINGS, tbody .MATCH")
                 awaitKept()
                 Chromium.driver.navigate().refresh()
                 awaitState("empty")
                 choose(folder)
                 number("return window.started") shouldBe 0.0
-                texts("td.FINDINGS, td.MATCH") shouldBe before
+                texts("td.FINDINGS, tbody .MATCH") shouldBe before
                 // A log that was written again is read again.
                 (folder / "pit.bag").writeBytes(log(9) + "2.1,9,9\n".encodeToByteArray())
                 Chromium.driver.navigate().refresh()

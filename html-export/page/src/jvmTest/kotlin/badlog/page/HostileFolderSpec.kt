@@ -61,7 +61,7 @@ internal class HostileFolderSpec : PageSpec({
                 choose(gone)
                 gone.toFile().deleteRecursively()
                 await("all logs") { "read" !in status() }
-                elements("td.MATCH button").last().click()
+                elements("tbody .MATCH button").last().click()
                 awaitState("failed")
                 text shouldContain "cannot be read"
                 click("#go-back")

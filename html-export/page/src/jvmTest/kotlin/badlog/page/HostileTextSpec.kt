@@ -128,7 +128,7 @@ internal class HostileTextSpec : PageSpec({
             val isText = setOf(1, 3)
             val bag = bagOf(topics, HOSTILE.size + 1) { row, column -> if (column in isText) HOSTILE.getOrElse(row) { "End" } else row }
             onPage(TestPages.of(bag), script = alarm) {
-                texts(".event-text") shouldContainAll HOSTILE
+                texts(".event .finding-text") shouldContainAll HOSTILE
                 for (row in HOSTILE.indices) {
                     // A state and an event are read from the last sample at or before the cursor.
                     graph("State").scrollTo().hover((row + 0.1) / HOSTILE.size)

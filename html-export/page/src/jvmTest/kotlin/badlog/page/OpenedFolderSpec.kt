@@ -67,7 +67,7 @@ internal class OpenedFolderSpec : PageSpec({
         awaitAll()
     }
 
-    fun OpenPage.column(name: String) = texts("td.$name")
+    fun OpenPage.column(name: String) = texts("[data-path] .$name")
 
     fun OpenPage.awaitLog(title: String) {
         await("the log $title") { texts(".page-title h1").singleOrNull()?.contains(title) == true }
@@ -274,7 +274,7 @@ internal class OpenedFolderSpec : PageSpec({
                 await("the list") { elements(".log-table").isNotEmpty() }
                 texts(".page-head h1") shouldContainExactly listOf("event")
                 awaitAll()
-                texts("td.MATCH") shouldContainExactlyInAnyOrder listOf("a.bag", "b.bag", "day2/a.bag")
+                texts("tbody .MATCH") shouldContainExactlyInAnyOrder listOf("a.bag", "b.bag", "day2/a.bag")
             }
             onPage(page, state = "empty") {
                 drop(samples().also { page.copyTo(it / "page.html", overwrite = true) })

@@ -72,7 +72,7 @@ internal class SearchSpec : PageSpec({
                 press("/")
                 press("stalled")
                 graphNames shouldBe emptyList()
-                elements("tr.event").single { it.isDisplayed }.text shouldContain "elevator stalled"
+                elements(".event").single { it.isDisplayed }.text shouldContain "elevator stalled"
                 retype("blue")
                 elements(".values .value-row").filter { it.isDisplayed }.map { it.text }
                     .filter { "Blue" in it }.size shouldBe 1

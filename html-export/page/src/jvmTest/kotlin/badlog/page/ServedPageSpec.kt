@@ -45,7 +45,7 @@ internal class ServedPageSpec : PageSpec({
         (folder / "bench.bag").setLastModifiedTime(FileTime.fromMillis(1_772_600_000_000))
     }
 
-    fun OpenPage.column(name: String) = texts("td.$name")
+    fun OpenPage.column(name: String) = texts("[data-path] .$name")
 
     fun OpenPage.openRow(row: Int) = openListed(listedLogs[row])
 

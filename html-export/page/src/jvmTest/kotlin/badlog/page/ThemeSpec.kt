@@ -14,7 +14,7 @@ internal class ThemeSpec : PageSpec({
         "h1", ".facts", ".fact", "#problems summary", ".problem-text", ".problem-place", ".severity", ".search-input",
         ".range-readout", ".cursor-readout", ".event-readout", "#download", ".folder-link-name", ".count",
         ".folder-toggle", ".graph-title", ".unit", ".legend-name", ".value", ".x-title", ".values dt", ".values dd",
-        ".event-go", ".event-text", ".events thead th", "#info summary", ".text-button", ".event-label",
+        ".event-go", ".event .finding-text", "#info summary", ".text-button", ".event-label",
     )
 
     /** Returns the contrast between a text and its background, as defined by WCAG; null if there is no such text. */

@@ -57,7 +57,7 @@ internal class WpilogSpec : PageSpec({
             graphNames shouldNotContain "/.schema/struct:Pose"
             visibleRange shouldBe 0.0..4.0
             texts(".fact") shouldContain "4 s"
-            texts(".event-text span") shouldContain "ERROR: something happened"
+            texts(".event .finding-text span") shouldContain "ERROR: something happened"
             texts(".info dd") shouldContain "WPILOG: each topic has its own times"
         }
         onPage(TestPages.of(gzip(wpilog()), "run.wpilog.gz")) { checkAll() }

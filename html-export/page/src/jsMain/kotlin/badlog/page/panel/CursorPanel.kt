@@ -5,22 +5,20 @@ import badlog.page.dom.Icon
 import badlog.page.dom.LocalStorage
 import badlog.page.dom.add
 import badlog.page.dom.addIconButton
-import badlog.page.dom.addName
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
-import badlog.page.dom.showText
+import badlog.page.parts.PartNodes
+import badlog.page.parts.patch
 import badlog.page.view.Frame
 import badlog.page.view.Scene
+import badlog.viewer.panel.Button
+import badlog.viewer.panel.CursorLine
+import badlog.viewer.panel.PartIcon
+import badlog.viewer.panel.cursorPanel
 import badlog.viewer.shown.cursor.CursorValues
-import badlog.viewer.shown.cursor.indexAt
-import badlog.viewer.shown.cursor.textOf
 import badlog.viewer.shown.search.Query
 import badlog.viewer.state.GraphChange
-import badlog.viewer.text.countText
-import badlog.viewer.text.exactText
-import badlog.viewer.text.numberText
 import badlog.viewer.text.unitText
-import badlog.viewer.text.withUnit
 import org.w3c.dom.HTMLElement
 
 /**
@@ -36,30 +34,21 @@ internal class CursorPanel(
     private val all: () -> List<GraphSeries>,
     private val beforeOpening: () -> Unit,
 ) {
-    private lateinit var place: HTMLElement
-    private lateinit var hint: HTMLElement
     private lateinit var body: HTMLElement
-    private val rows = ArrayList<Row>()
+    private val nodes = PartNodes(scene.palette, scene.store::send)
     private val frame = Frame(::update)
     private var query = Query("")
-    private var lines = emptyList<GraphSeries>()
-    private var values = CursorValues(lines, scene.xAxis)
-    private var pinned = emptySet<String>()
+    private var lines = emptyList<CursorLine>()
+    private var values = CursorValues(emptyList(), scene.xAxis)
 
     val element: HTMLElement = element("aside", "cursor-panel card") {
         id = "cursor-values"
         setAttribute("aria-label", "Values at the cursor")
         add("header", "graph-head") {
             add("h2", "findings-title", "Values")
-            place = add("span", "unit")
             add("div", "graph-tools") { addIconButton("", Icon.CLOSE, "Close the values (V)") { toggle() } }
         }
-        hint = add("p", "cursor-panel-hint")
-        body = add("div", "cursor-panel-rows") {
-            setAttribute("tabindex", "0")
-            setAttribute("role", "group")
-            setAttribute("aria-label", "Values")
-        }
+        body = add("div", "cursor-panel-body")
     }
 
     /** The button that opens and closes the panel. */
@@ -92,17 +81,27 @@ internal class CursorPanel(
     /** Lists the current topics again. */
     fun refresh() {
         if (element.isHidden) return
-        lines =
-            if (query.isEmpty) {
-                shown()
-            } else {
-                all().filter {
-                    query.matches("${it.topic.name} ${unitText(it.unit)}", scene.traitsOf(it, query))
-                }
+        val pinned = scene.board.now.graphs.mapNotNullTo(HashSet()) { it.lines.singleOrNull() }
+        val wanted = if (query.isEmpty) {
+            shown()
+        } else {
+            all().filter {
+                query.matches("${it.topic.name} ${unitText(it.unit)}", scene.traitsOf(it, query))
             }
-        lines = lines.distinctBy { it.topic.name to it.isDerived to it.name }
-        values = CursorValues(lines, scene.xAxis)
-        pinned = scene.board.now.graphs.mapNotNullTo(HashSet()) { it.lines.singleOrNull() }
+        }
+        lines = wanted.distinctBy { it.topic.name to it.isDerived to it.name }.map { line ->
+            val name = if (line.isDerived) line.name else line.topic.name
+            // The name of a topic derived by an attribute may exist only in its graph.
+            val pin = if (scene.board.lines[name] ==
+                null
+            ) {
+                null
+            } else {
+                Button("Keep on the board", GraphChange.ToggleOwn(name), PartIcon.PIN, isOn = name in pinned)
+            }
+            CursorLine(name, line, pin)
+        }
+        values = CursorValues(lines.map { it.line }, scene.xAxis)
         frame.ask()
     }
 
@@ -112,61 +111,11 @@ internal class CursorPanel(
     }
 
     private fun update() {
-        val x = scene.cursor.x
-        place.showText(if (scene.cursor.isPlaced) scene.xText(x) else "")
-        val found = values.at(x)
-        found.take(MAX_ROWS).forEachIndexed { index, value ->
-            if (index == rows.size) rows += Row(body)
-            val line = lines[value.line]
-            rows[index].show(line, value.hasChanged, x, isPinned = line.called in pinned)
-        }
-        for (index in found.size until rows.size) rows[index].element.isHidden = true
-        val more = lines.size - MAX_ROWS
-        hint.showText(
-            when {
-                lines.isEmpty() -> "No topic matches."
-                !scene.cursor.isPlaced -> "Point at a graph, or click it."
-                more > 0 -> "And ${countText(more)} more: search to find them."
-                else -> ""
-            },
-        )
+        val x = scene.cursor.x.takeIf { scene.cursor.isPlaced }
+        body.patch(nodes.of(cursorPanel(lines, values, x, x?.let(scene::xText).orEmpty())))
     }
-
-    private inner class Row(parent: HTMLElement) {
-        private lateinit var name: HTMLElement
-        private lateinit var value: HTMLElement
-        private lateinit var pin: HTMLElement
-        private var called = ""
-        private var exactValue = { "" }
-
-        val element: HTMLElement = parent.add("div", "cursor-value") {
-            name = addName(className = "cursor-value-name")
-            value = add("bdi", "cursor-value-text") { addEventListener("pointerenter", { title = exactValue() }) }
-            pin = addIconButton("pin", Icon.PIN, "Keep on the board") { scene.store.send(GraphChange.ToggleOwn(called)) }
-        }
-
-        fun show(line: GraphSeries, hasChanged: Boolean, x: Double, isPinned: Boolean) {
-            element.isHidden = false
-            element.classList.toggle("is-changed", hasChanged)
-            called = line.called
-            name.showText(called)
-            name.title = called
-            // The name of a topic derived by an attribute may exist only in its graph.
-            pin.isHidden = scene.board.lines[called] == null
-            pin.setAttribute("aria-pressed", isPinned.toString())
-            exactValue = { line.textOf(line.indexAt(x)) { withUnit(exactText(it), line.unit) } }
-            // A tooltip that is still there shows the former value.
-            value.removeAttribute("title")
-            value.showText(line.textOf(line.indexAt(x)) { withUnit(numberText(it), line.unit) })
-        }
-    }
-
-    private val GraphSeries.called: String get() = if (isDerived) name else topic.name
 
     private companion object {
         const val KEY = "values"
-
-        /** The maximum number of rows; more cannot be read while the cursor moves. */
-        const val MAX_ROWS = 200
     }
 }

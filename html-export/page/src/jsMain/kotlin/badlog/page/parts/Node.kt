@@ -11,6 +11,7 @@ import org.w3c.dom.events.Event
  * @property text its text; null if it has [children] instead. It becomes a text node, so nothing in a file can become markup.
  * @property attributes its attributes, without those that are null.
  * @property icon the icon at its beginning; null if there is none.
+ * @property hint returns the tooltip of a [text] when the pointer comes to it.
  * @property press the effect of a press on a button.
  * @property draw draws the content of a canvas, which must be on the page.
  * @property on the handlers of other events, by event type.
@@ -22,6 +23,7 @@ internal class Node(
     val key: String = "",
     val attributes: Map<String, String?> = emptyMap(),
     val icon: Icon? = null,
+    val hint: (() -> String)? = null,
     val press: (() -> Unit)? = null,
     val draw: ((HTMLElement) -> Unit)? = null,
     val on: Map<String, (Event) -> Unit> = emptyMap(),

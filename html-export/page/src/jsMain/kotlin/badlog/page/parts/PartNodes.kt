@@ -7,12 +7,10 @@ import badlog.page.view.Palette
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
+import badlog.viewer.panel.Cell
 import badlog.viewer.panel.Choice
 import badlog.viewer.panel.Code
-import badlog.viewer.panel.Entry
-import badlog.viewer.panel.EntryCell
-import badlog.viewer.panel.EntryColumn
-import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Column
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
@@ -27,6 +25,7 @@ import badlog.viewer.panel.Rows
 import badlog.viewer.panel.Table
 import badlog.viewer.panel.TableRow
 import badlog.viewer.panel.Trouble
+import badlog.viewer.panel.Value
 import badlog.viewer.state.Action
 import badlog.viewer.text.word
 import org.w3c.dom.HTMLCanvasElement
@@ -39,6 +38,9 @@ import org.w3c.dom.events.Event
  */
 internal class PartNodes(private val palette: Palette, private val send: (Action) -> Unit) {
     private val shared = ArrayList<List<String>>()
+
+    /** The nodes of buttons, which stay the same while values beside them change with each step of the cursor. */
+    private val buttons = js("new WeakMap()")
 
     /** Returns the [parts] of a panel as nodes. */
     fun of(parts: List<Part>): List<Node> {
@@ -60,9 +62,9 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         is Fold -> fold(part)
         is Rows -> rows(part)
         is Row -> row(part)
+        is Value -> value(part)
         is Table -> table(part)
         is Picture -> picture(part)
-        is EntryTable -> entryTable(part)
     }
 
     private fun heading(heading: Heading) = Node(
@@ -150,7 +152,20 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         return Node("ol", className, key = rows.key, attributes = attributes, children = rows.rows.map(::item))
     }
 
-    private fun item(part: Part): Node = if (part is Row) row(part) else Node("li", key = part.key, children = listOf(of(part)))
+    private fun item(part: Part): Node =
+        if (part is Row || part is Value) of(part) else Node("li", key = part.key, children = listOf(of(part)))
+
+    private fun value(value: Value): Node {
+        val name = Node("span", "cut-name", children = listOf(Node("bdi", text = value.name, hint = { value.name })))
+        val text = Node("bdi", "value-text", value.text, hint = value.exact)
+        val tools = value.tools.map { iconButton(it, "pin") }
+        return Node(
+            "li",
+            value.className + if (value.isMarked) " is-marked" else "",
+            key = value.key,
+            children = listOf(name, text) + tools,
+        )
+    }
 
     private fun row(row: Row): Node {
         val badge = listOfNotNull(row.severity?.let(::badge))
@@ -172,60 +187,72 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
 
     private fun badge(severity: Severity) = Node("span", "severity is-${severity.word}", severity.word)
 
-    private fun entryTable(table: EntryTable): Node {
+    private fun table(table: Table): Node {
+        val checks = listOf(Node("td", "checks")).filter { table.rows.any { it.checks.isNotEmpty() } }
         val titles = table.columns.map { column ->
             val order = column.isDescending?.let { if (it) "descending" else "ascending" }
             val arrow = column.isDescending?.let { if (it) " ↓" else " ↑" }.orEmpty()
-            val sort = Node("button", "text-button", column.title + arrow, press = { column.sort?.let(send) })
-            Node("th", column.look, key = column.key, attributes = mapOf("aria-sort" to order), children = listOf(sort))
+            val sort = column.sort?.let { textButton(Button(column.title + arrow, it)) }
+            val attributes = mapOf("title" to column.hint.ifEmpty { null }, "aria-sort" to order)
+            Node("th", column.look, column.title.takeIf { sort == null }, column.key, attributes, children = listOfNotNull(sort))
         }
-        val head = Node("tr", children = listOf(Node("td")) + titles)
         val body = table.groups.flatMap { group ->
-            val span = mapOf("colspan" to "${titles.size + 1}", "scope" to "rowgroup")
+            val span = mapOf("colspan" to "${titles.size + checks.size}", "scope" to "rowgroup")
             val texts = listOf(Node("span", text = group.title), Node("span", "unit", group.count))
             val title = Node("tr", "row-group", key = group.title, children = listOf(Node("th", attributes = span, children = texts)))
-            listOf(title).filter { group.title.isNotEmpty() } + group.rows.map { entry(it, table.columns) }
+            listOf(title).filter { group.title.isNotEmpty() } + group.rows.map { tableRow(it, table.columns, checks) }
         }
         return Node(
             "table",
+            table.className,
             key = table.key,
-            attributes = mapOf("aria-label" to table.name),
-            children = listOf(Node("thead", children = listOf(head)), Node("tbody", children = body)),
+            attributes = mapOf("aria-label" to table.name.ifEmpty { null }),
+            children = listOf(Node("thead", children = listOf(Node("tr", children = checks + titles))), Node("tbody", children = body)),
         )
     }
 
-    private fun entry(row: Entry, columns: List<EntryColumn>): Node {
-        val checks = row.checks.map { check ->
+    private fun tableRow(row: TableRow, columns: List<Column>, checks: List<Node>): Node {
+        val boxes = row.checks.map { check ->
             val attributes = mapOf("type" to "checkbox", "aria-label" to check.label, "checked" to "".takeIf { check.isOn })
             Node("input", attributes = attributes, on = mapOf("change" to { _: Event -> send(check.action) }))
         }
-        val cells = columns.mapIndexed { i, column -> Node("td", column.look, key = column.key, children = row.cells[i].map(::entryCell)) }
+        val cells = columns.mapIndexed { i, column ->
+            val cells = row.cells[i]
+            val only = cells.singleOrNull()
+            if (i == 0) {
+                val subject = cells.map { cell(it, "cut-name") }
+                Node("th", column.look, key = column.key, attributes = mapOf("scope" to "row"), children = subject)
+            } else if (only == null || only.severity != null || only.share != null || only.open != null) {
+                Node("td", column.look, key = column.key, children = cells.map(::cell))
+            } else {
+                Node("td", column.look, only.text, column.key, mapOf("title" to only.ownHint))
+            }
+        }
         return Node(
             "tr",
             if (row.isMuted) "is-gray" else "",
             key = row.key,
-            attributes = mapOf("data-path" to row.key),
+            attributes = mapOf("data-path" to row.key.ifEmpty { null }),
             on = pressed(row.open),
-            children = listOf(Node("td", children = checks)) + cells,
+            children = checks.map { Node("td", "checks", children = boxes) } + cells,
         )
     }
 
-    private fun entryCell(cell: EntryCell): Node {
+    private fun cell(cell: Cell, className: String = ""): Node {
+        val swatch = cell.color?.let { Node("span", "swatch line-${it % LINE_COLORS}") }
         val bar = cell.share?.let {
             Node("progress", "is-${cell.severity?.word}", attributes = mapOf("value" to "$it", "aria-hidden" to "true"))
         }
-        val hint = mapOf("title" to cell.hint.ifEmpty { null })
-        val open = cell.open
-        val text = if (open == null) {
-            Node("span", text = cell.text, attributes = hint)
-        } else {
-            Node("button", "text-button", cell.text, attributes = hint, press = { send(open) })
-        }
-        return Node("div", children = listOfNotNull(bar ?: cell.severity?.let(::badge), text))
+        // Within its own direction, a slash at the beginning of a name stays there.
+        val text = cell.open?.let { textButton(Button(cell.text, it, hint = cell.hint)) }
+            ?: Node("span", className, attributes = mapOf("title" to cell.ownHint), children = listOf(Node("bdi", text = cell.text)))
+        return Node("div", children = listOfNotNull(swatch, bar ?: cell.severity?.let(::badge), text) + cell.tools.map(::iconButton))
     }
 
+    private val Cell.ownHint get() = hint.takeIf { it != text }
+
     /** The classes of a column, by which the style sheet arranges cards. */
-    private val EntryColumn.look: String get() = if (isNumber) "$key is-number" else key
+    private val Column.look: String get() = if (isNumber) "$key is-number" else key
 
     private fun framed(row: Row): List<Node> {
         val lines = row.lines.mapIndexed { i, line ->
@@ -253,38 +280,16 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         return Node("button", "text-button", button.label, attributes = attributes, press = { send(button.action) })
     }
 
-    private fun iconButton(button: Button, className: String = ""): Node {
+    private fun iconButton(button: Button, className: String = ""): Node =
+        buttons.get(button).unsafeCast<Node?>() ?: madeButton(button, className).also { buttons.set(button, it) }
+
+    private fun madeButton(button: Button, className: String): Node {
         val attributes = mapOf("title" to button.hint, "aria-label" to button.hint) + button.state
         val names = "icon-button $className".trim()
         return Node("button", names, key = button.label, attributes = attributes, icon = button.icon?.icon, press = { send(button.action) })
     }
 
     private val Button.state get() = mapOf("disabled" to "".takeIf { !isEnabled }, "aria-pressed" to isOn?.toString())
-
-    private fun table(table: Table): Node {
-        val head = table.columns.map { column ->
-            val title = column.sort?.let { textButton(Button(column.title + if (column.isSorted) " ↓" else "", it)) }
-            val attributes = mapOf("title" to column.hint, "aria-sort" to "descending".takeIf { column.isSorted })
-            Node("th", text = column.title.takeIf { title == null }, attributes = attributes, children = listOfNotNull(title))
-        }
-        val rows = table.rows.map { row ->
-            val cells = row.cells.map { cell ->
-                val go = cell.go?.let(::textButton)
-                Node("td", text = cell.text.takeIf { go == null }, attributes = mapOf("title" to cell.exact), children = listOfNotNull(go))
-            }
-            Node("tr", children = listOf(Node("th", attributes = mapOf("scope" to "row"), children = subject(row))) + cells)
-        }
-        val parts = listOf(Node("thead", children = listOf(Node("tr", children = head))), Node("tbody", children = rows))
-        return Node("table", table.className, key = table.key, children = parts)
-    }
-
-    private fun subject(row: TableRow): List<Node> {
-        if (row.continues) return emptyList()
-        val swatch = row.color?.let { Node("span", "swatch line-${it % LINE_COLORS}") }
-        // Within its own direction, a slash at the beginning stays there.
-        val name = Node("span", "cut-name", children = listOf(Node("bdi", text = row.name)))
-        return listOfNotNull(swatch, name) + row.tools.map(::iconButton)
-    }
 
     private fun picture(picture: Picture) = Node(
         "canvas",
@@ -308,6 +313,7 @@ private val PartIcon.icon: Icon
         PartIcon.ADD -> Icon.PLUS
         PartIcon.REMOVE -> Icon.MINUS
         PartIcon.NOTE -> Icon.NOTE
+        PartIcon.ZOOM -> Icon.SEARCH
         PartIcon.CLOSE -> Icon.CLOSE
         PartIcon.DONE, PartIcon.PERSON -> Icon.LIST
         PartIcon.UNDONE -> Icon.UNDO

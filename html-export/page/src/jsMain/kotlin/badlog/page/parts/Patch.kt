@@ -38,6 +38,7 @@ private fun made(node: Node, id: String): HTMLElement = element(node.tag).apply 
     node.icon?.let { appendChild(it.draw()) }
     if (node.tag == "button") setAttribute("type", "button")
     if (node.press != null) addEventListener("click", { this.node?.press?.invoke() })
+    if (node.hint != null) addEventListener("pointerenter", { title = this.node?.hint?.invoke().orEmpty() })
     for (type in node.on.keys) addEventListener(type, { event -> this.node?.on?.get(type)?.invoke(event) })
 }
 
@@ -68,6 +69,8 @@ private fun HTMLElement.update(node: Node) {
     if (node.attributes["type"] == "checkbox") asDynamic().checked = node.attributes["checked"] != null
     if (node.text != before?.text) {
         textContent = node.text.orEmpty()
+        // A tooltip that is still there shows the former value.
+        if (node.hint != null) removeAttribute("title")
         shown = emptyList()
     }
     if (node.text == null && node.icon == null) patch(node.children)

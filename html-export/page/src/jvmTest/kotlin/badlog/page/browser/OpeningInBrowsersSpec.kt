@@ -84,7 +84,7 @@ internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpe
             withRobot(logs()) { address ->
                 open(address)
                 await("document.querySelectorAll('.log-table [data-path]').length == 2")
-                evaluate("[...document.querySelectorAll('td.MATCH button')].find(b => b.textContent.endsWith('bench.bag')).click()")
+                evaluate("[...document.querySelectorAll('tbody .MATCH button')].find(b => b.textContent.endsWith('bench.bag')).click()")
                 awaitState("ready")
                 evaluate("document.querySelector('.page-title').textContent") shouldContain "bench.bag"
             }
@@ -115,7 +115,7 @@ internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpe
             WpilibServer(folder).use { server ->
                 open(server.addressOf(EmptyPage.SERVED_NAME))
                 await("document.querySelectorAll('.log-table [data-path]').length == 2")
-                evaluate("[...document.querySelectorAll('td.MATCH button')].find(b => b.textContent.endsWith('bench.bag')).click()")
+                evaluate("[...document.querySelectorAll('tbody .MATCH button')].find(b => b.textContent.endsWith('bench.bag')).click()")
                 awaitState("ready")
                 evaluate("document.querySelector('.page-title').textContent") shouldContain "bench.bag"
             }

@@ -26,7 +26,7 @@ fun modulesPanel(
 ): List<Part> {
     val rows = errors.flatMapIndexed { i, module ->
         listOfNotNull(module.angle, module.speed).ifEmpty { listOf(null) }.mapIndexed { place, size ->
-            TableRow(module.label, cellsOf(size, placeOf), color = i, continues = place > 0)
+            rowOf(module.label, cellsOf(size, placeOf), color = i, continues = place > 0)
         }
     }
     val condition = drive.errors?.condition
@@ -34,7 +34,7 @@ fun modulesPanel(
         Paragraph("worst", if (condition == null) drive.errorsLack.orEmpty() else worstModuleText(errors)),
         Picture("picture", "Modules at the cursor", picture.height) { pen, width, colors -> picture.paint(pen, width, colors) },
         Paragraph("arrows", SwerveDrive.ARROWS, Tone.MUTED),
-        if (rows.isEmpty()) null else Table("errors", COLUMNS, rows),
+        if (rows.isEmpty()) null else Table("errors", COLUMNS, listOf(RowGroup(rows))),
         condition?.let { Paragraph("condition", it, Tone.MUTED) },
     )
 }
@@ -42,7 +42,7 @@ fun modulesPanel(
 private fun cellsOf(size: ErrorSize?, placeOf: (Double) -> String): List<Cell> {
     if (size == null) return listOf(Cell(NO_NUMBER), Cell(NO_NUMBER))
     val hint = "${size.largestText}: ${size.goText(placeOf(size.largestAt))}"
-    return listOf(Cell(size.rmsText), Cell(size.largestText, go = Button(size.largestText, PlaceAction.GoTo(size.largestAt), hint = hint)))
+    return listOf(Cell(size.rmsText), Cell(size.largestText, hint, open = PlaceAction.GoTo(size.largestAt)))
 }
 
 private val COLUMNS = listOf("Module", "Error", "Largest").map { Column(it) }

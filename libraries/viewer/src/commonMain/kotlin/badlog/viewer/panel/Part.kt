@@ -1,7 +1,6 @@
 package badlog.viewer.panel
 
 import badlog.core.recording.Severity
-import badlog.core.recording.Topic
 import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.state.Action
@@ -66,7 +65,7 @@ class Button(
 )
 
 /** The icons of buttons. */
-enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, CLOSE, DONE, PERSON, UNDONE, HISTOGRAM }
+enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, ZOOM, CLOSE, DONE, PERSON, UNDONE, HISTOGRAM }
 
 /** Buttons beside each other. */
 class Buttons(override val key: String, val buttons: List<Button>) : Part
@@ -111,8 +110,36 @@ class Field(
     val onText: (String) -> Action,
 ) : Part
 
-/** Rows below each other, called [name]: each is a [Row], or a [Trouble]. */
-class Rows(override val key: String, val name: String, val rows: List<Part>, val isLong: Boolean = false) : Part
+/**
+ * A named value.
+ *
+ * @property isMarked whether it has just changed.
+ * @property tools its buttons.
+ * @property exact returns the value to the last digit; called only when a person asks for it.
+ */
+class Value(
+    override val key: String,
+    val name: String,
+    val text: String,
+    val isMarked: Boolean = false,
+    val tools: List<Button> = emptyList(),
+    val exact: () -> String = { text },
+) : Part
+
+/**
+ * Rows below each other, called [name]: each is a [Row], a [Value] or a [Trouble].
+ *
+ * @property rows the rows; a list may make each only when it is drawn.
+ * @property isLong whether they scroll in a place of their own.
+ * @property current the index of the row that a person went to; -1 for none.
+ */
+class Rows(
+    override val key: String,
+    val name: String,
+    val rows: List<Part>,
+    val isLong: Boolean = false,
+    val current: Int = rows.indexOfFirst { (it as? Row)?.isCurrent == true },
+) : Part
 
 /**
  * A row of a list: a claim, a note, an event.
@@ -165,44 +192,6 @@ class Line(
     val hint: String = "",
     val isCurrent: Boolean = false,
 )
-
-/** A table; the first of its [columns] has the names of its [rows]. */
-class Table(override val key: String, val columns: List<Column>, val rows: List<TableRow>) : Part
-
-/**
- * A column of a table.
- *
- * @property hint an explanation of its title; empty for none.
- * @property sort sorts by it, the largest first; null if that is impossible.
- */
-class Column(val title: String, val hint: String = "", val sort: Action? = null, val isSorted: Boolean = false)
-
-/**
- * A row of a table.
- *
- * @property name its subject; shown unless the row before is about the same, see [continues].
- * @property unit the unit of the line it is about; `ul` for none.
- * @property log the name of the log it is about; empty if there is only one.
- * @property color the index of the color of the line it is about; null for none.
- */
-class TableRow(
-    val name: String,
-    val cells: List<Cell>,
-    val unit: String = Topic.UNITLESS,
-    val log: String = "",
-    val color: Int? = null,
-    val continues: Boolean = false,
-    val tools: List<Button> = emptyList(),
-)
-
-/**
- * A cell of a table.
- *
- * @property exact its value to the last digit.
- * @property unit its unit, which a table below a graph does not repeat; `ul` for none.
- * @property go a button with the displayed text; null if a press has no effect.
- */
-class Cell(val text: String, val exact: String = text, val unit: String = Topic.UNITLESS, val go: Button? = null)
 
 /** A picture, called [name], as wide as its panel and [height] high, in CSS pixels or dp; [draw] has its width in physical pixels. */
 class Picture(override val key: String, val name: String, val height: Int, val draw: (Pen, width: Double, PenColors) -> Unit) : Part

@@ -85,7 +85,7 @@ fun tsvOf(tables: List<Table>, part: NamedSpan): String {
     val head = listOf("topic", "unit", "log", "from", "to") + columns
     val lines = tables.flatMap { table ->
         table.rows.map { row ->
-            val cells = table.columns.drop(1).map { it.title }.zip(row.cells.map { it.exact }).toMap()
+            val cells = table.columns.drop(1).map { it.title }.zip(row.cells.drop(1).map { it.single().hint }).toMap()
             val ends = listOf(part.span.from, part.span.to).map(::exactText)
             listOf(row.name, row.unit, row.log) + ends + columns.map { cells[it].orEmpty() }
         }
@@ -142,7 +142,7 @@ private class StatisticsTables(
         val rows = NamedDifference.of(lines.map { it.line }, partsOf(lines[0])).map { difference ->
             val (one, other) = listOf(difference.one, difference.other).map { line -> lines.first { it.line === line } }
             val cells = difference.texts(axis, offset).zip(difference.exactTexts(offset)) { text, exact -> Cell(text, exact) }
-            TableRow("${one.name} − ${other.name}", cells, one.line.unit, one.log, one.color.takeIf { one.log.isNotEmpty() })
+            rowOf("${one.name} − ${other.name}", cells, one.line.unit, one.log, one.color.takeIf { one.log.isNotEmpty() })
         }
         val columns = listOf(Column("Difference")) + NamedDifference.TITLES.zip(NamedDifference.HINTS, ::Column)
         return table("differences $index", columns, rows)
@@ -150,9 +150,11 @@ private class StatisticsTables(
 
     /** Returns a ranking of the [channels]; empty if none had a current. */
     fun ranked(channels: Channels): List<Part> {
-        val columns = ChannelOrder.entries.map { Column(it.title, it.hint, Action.Measure(state.copy(order = it)), it == state.order) }
+        val columns = ChannelOrder.entries.map { order ->
+            Column(order.title, order.hint, Action.Measure(state.copy(order = order)), if (order == state.order) true else null)
+        }
         val rows = channels.ranked(parts, state.order).map { channel ->
-            TableRow(channel.name, listOf(channel.chargeText, channel.peakText, channel.shareText).map { Cell(it) })
+            rowOf(channel.name, listOf(channel.chargeText, channel.peakText, channel.shareText).map { Cell(it) })
         }
         return table("channels", listOf(Column(channels.what)) + columns + Column("Share"), rows)
     }
@@ -160,10 +162,10 @@ private class StatisticsTables(
     private fun partsOf(line: MeasuredLine) = parts.map { Span(it.from - line.offset, it.to - line.offset) }
 
     private fun row(line: MeasuredLine, cells: List<Cell>, tools: List<Button> = emptyList(), continues: Boolean = false) =
-        TableRow(line.name, cells, line.line.unit, line.log, line.color, continues, tools)
+        rowOf(line.name, cells, line.line.unit, line.log, line.color, continues, tools)
 
     private fun table(key: String, columns: List<Column>, rows: List<TableRow>) =
-        if (rows.isEmpty()) emptyList() else listOf(Table(key, columns, rows))
+        if (rows.isEmpty()) emptyList() else listOf(Table(key, columns, listOf(RowGroup(rows))))
 
     private companion object {
         val LANES = StateTime.TITLES.map { Column(it) }

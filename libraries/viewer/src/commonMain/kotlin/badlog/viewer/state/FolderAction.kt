@@ -12,4 +12,13 @@ sealed interface FolderAction : Action {
 
     /** Opens the log at [path]; at its worst finding if it [showsFinding]. */
     class Open(val path: String, val showsFinding: Boolean) : FolderAction
+
+    /** Makes the choices [state] for the statistics across logs. */
+    class MeasureAcross(val state: AcrossState) : FolderAction
+
+    /** Searches topics for the statistics across logs. */
+    class SearchAcross(val text: String) : FolderAction
+
+    /** Makes the choices [state] for the statistic of many topics. */
+    class MeasureTopics(val state: TopicsState) : FolderAction
 }

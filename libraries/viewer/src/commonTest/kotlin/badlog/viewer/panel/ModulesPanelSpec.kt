@@ -36,10 +36,10 @@ class ModulesPanelSpec : FunSpec({
         (parts[0] as Paragraph).text shouldStartWith "Module 1 has the largest angle error: 10.3° RMS"
         (parts[1] as Picture).name shouldBe "Modules at the cursor"
         val rows = parts.filterIsInstance<Table>().single().rows
-        rows.filterNot { it.continues }.map { it.name to it.color } shouldContainExactly List(3) { "Module $it" to it }
-        val go = rows.filter { it.name == "Module 1" }[0].cells[1].go!!
+        rows.flatMap { it.cells[0] }.map { it.text to it.color } shouldContainExactly List(3) { "Module $it" to it }
+        val go = rows.filter { it.name == "Module 1" }[0].cells[2].single()
         go.hint shouldBe "largest 15.0°: Go to the largest error, at 3 s"
-        (go.action as PlaceAction.GoTo).x shouldBe 3.0
+        (go.open as PlaceAction.GoTo).x shouldBe 3.0
     }
 
     test("without targets, the reason replaces the errors") {

@@ -2,12 +2,12 @@ package badlog.viewer.panel.folder
 
 import badlog.core.recording.Severity
 import badlog.viewer.catalog.ListedLog
+import badlog.viewer.panel.Cell
 import badlog.viewer.panel.Check
-import badlog.viewer.panel.Entry
-import badlog.viewer.panel.EntryCell
-import badlog.viewer.panel.EntryColumn
-import badlog.viewer.panel.EntryGroup
-import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Column
+import badlog.viewer.panel.RowGroup
+import badlog.viewer.panel.Table
+import badlog.viewer.panel.TableRow
 import badlog.viewer.shown.folder.DAY_END
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
@@ -26,29 +26,28 @@ import badlog.viewer.text.countText
  * @param checked the paths of the logs to compare.
  * @param limit the maximum number of rows.
  */
-fun <E : ListedLog> logTable(listing: Listing<E>, checked: Set<String>, limit: Int = Int.MAX_VALUE): EntryTable {
+fun <E : ListedLog> logTable(listing: Listing<E>, checked: Set<String>, limit: Int = Int.MAX_VALUE): Table {
     val columns = LogColumn.entries.filter { column -> listing.entries.any { listing.cellOf(it, column) != null } }
     var left = limit
     val groups = listing.rows.groupBy(listing::groupOf).map { (title, runs) ->
-        val rows = runs.take(left).map { rowOf(listing, it, columns, checked) }
+        val rows = runs.take(left).map { matchRow(listing, it, columns, checked) }
         left -= rows.size
-        EntryGroup(title, countText(runs.sumOf { it.logs.size }, "log"), rows)
+        RowGroup(rows, title, countText(runs.sumOf { it.logs.size }, "log"))
     }
     val titles = columns.map {
-        EntryColumn(it.name, it.title, it.isNumber, if (it == listing.column) listing.isDescending else null, FolderAction.Sort(it))
+        val isDescending = if (it == listing.column) listing.isDescending else null
+        Column(it.title, sort = FolderAction.Sort(it), isDescending = isDescending, isNumber = it.isNumber, key = it.name)
     }
-    return EntryTable("log-table", "Logs", titles, groups.filter { it.rows.isNotEmpty() })
+    return Table("logs", titles, groups.filter { it.rows.isNotEmpty() }, "Logs")
 }
 
-private fun <E : ListedLog> rowOf(listing: Listing<E>, run: MatchRun<E>, columns: List<LogColumn>, checked: Set<String>): Entry {
+private fun <E : ListedLog> matchRow(listing: Listing<E>, run: MatchRun<E>, columns: List<LogColumn>, checked: Set<String>): TableRow {
     val worst = run.worst
     // Readable logs are first, so that their check boxes stand beside their files.
     val logs = run.logs.sortedWith(compareByDescending<E> { it === worst }.thenByDescending { it.isReadable })
     val named = logs.firstOrNull { it.summary.match.event != null } ?: worst
-    return Entry(
-        worst.path,
+    return TableRow(
         worst.fileName,
-        logs.filter { it.isReadable }.map { Check("Compare ${it.fileName}", it.path in checked, FolderAction.Check(it.path)) },
         columns.map { column ->
             when (column) {
                 LogColumn.MATCH -> listOf(listing.titleCell(named, worst))
@@ -56,18 +55,20 @@ private fun <E : ListedLog> rowOf(listing: Listing<E>, run: MatchRun<E>, columns
                 else -> logs.mapNotNull { listing.cellOf(it, column) }.take(1)
             }
         },
-        FolderAction.Open(worst.path, showsFinding = false),
-        worst.isGray,
+        worst.path,
+        checks = logs.filter { it.isReadable }.map { Check("Compare ${it.fileName}", it.path in checked, FolderAction.Check(it.path)) },
+        open = FolderAction.Open(worst.path, showsFinding = false),
+        isMuted = worst.isGray,
     )
 }
 
 /** Returns the title of a match, which [named] names; a press opens [log]. */
-private fun Listing<*>.titleCell(named: ListedLog, log: ListedLog): EntryCell {
+private fun Listing<*>.titleCell(named: ListedLog, log: ListedLog): Cell {
     val open = FolderAction.Open(log.path, showsFinding = false)
-    return EntryCell(LogColumn.MATCH.text(named) ?: shortFileName(nameOf(log)), hint = log.path, open = open)
+    return Cell(LogColumn.MATCH.text(named) ?: shortFileName(nameOf(log)), hint = log.path, open = open)
 }
 
-private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn): EntryCell? {
+private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn): Cell? {
     val text = column.text(log)
     val open = FolderAction.Open(log.path, showsFinding = false)
     return when (column) {
@@ -76,33 +77,33 @@ private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn): EntryCell? {
         LogColumn.FINDINGS -> happened(log, text)
 
         // Otherwise the file's name is the title.
-        LogColumn.FILE -> if (LogColumn.MATCH.has(log)) EntryCell(shortFileName(nameOf(log)), hint = log.path, open = open) else null
+        LogColumn.FILE -> if (LogColumn.MATCH.has(log)) Cell(shortFileName(nameOf(log)), hint = log.path, open = open) else null
 
         else -> if (text == null) null else cellOf(log, column, text)
     }
 }
 
-private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn, text: String): EntryCell = when (column) {
-    LogColumn.DATE -> EntryCell(if (this.column == column) text.substringAfter(DAY_END) else text)
+private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn, text: String): Cell = when (column) {
+    LogColumn.DATE -> Cell(if (this.column == column) text.substringAfter(DAY_END) else text)
 
     LogColumn.BATTERY -> {
         val share = ((log.summary.batteryMinimum ?: EMPTY) - EMPTY) / (FULL - EMPTY)
-        EntryCell(text, if (log.isNearBrownout) Severity.ERROR else null, share = share.coerceIn(0.0, 1.0))
+        Cell(text, severity = if (log.isNearBrownout) Severity.ERROR else null, share = share.coerceIn(0.0, 1.0))
     }
 
-    LogColumn.PROBLEMS -> EntryCell(text, log.problemSeverity, problemSentence(log))
+    LogColumn.PROBLEMS -> Cell(text, problemSentence(log), severity = log.problemSeverity)
 
-    else -> EntryCell(text)
+    else -> Cell(text)
 }
 
-private fun Listing<*>.happened(log: ListedLog, text: String?): EntryCell? {
+private fun Listing<*>.happened(log: ListedLog, text: String?): Cell? {
     val worst = log.found?.worst
     return when {
-        log.path in recording -> EntryCell("recording")
-        log.isGray -> EntryCell(log.summary.content.saying)
+        log.path in recording -> Cell("recording")
+        log.isGray -> Cell(log.summary.content.saying)
         text == null -> null
-        worst == null -> EntryCell(text)
-        else -> EntryCell(text, worst, foundLines(log), open = FolderAction.Open(log.path, showsFinding = true))
+        worst == null -> Cell(text)
+        else -> Cell(text, foundLines(log), open = FolderAction.Open(log.path, showsFinding = true), severity = worst)
     }
 }
 

@@ -3,34 +3,30 @@ package badlog.viewer.panel.folder
 import badlog.core.analysis.Span
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.TopicSummary
-import badlog.viewer.panel.Entry
-import badlog.viewer.panel.EntryCell
-import badlog.viewer.panel.EntryColumn
-import badlog.viewer.panel.EntryGroup
-import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Cell
+import badlog.viewer.panel.Column
 import badlog.viewer.panel.Preview
+import badlog.viewer.panel.RowGroup
+import badlog.viewer.panel.Table
+import badlog.viewer.panel.TableRow
 import badlog.viewer.shown.folder.LogColumn
 
 /**
  * Returns this table of [logs] with the preview of each: the topic called [name], or otherwise the battery voltage. All are drawn to the
  * same scale, so that they can be compared at a glance.
  */
-fun EntryTable.withPreviews(logs: List<ListedLog>, name: String?): EntryTable {
+fun Table.withPreviews(logs: List<ListedLog>, name: String?): Table {
     val topics = logs.associate { log -> log.path to (name ?: log.summary.batteryTopic)?.let(log.summary::topic) }
     val range = commonRange(topics.values.filterNotNull().filter { it.statistics.count > 0 }) ?: return this
     val at = columns.indexOfLast { LogColumn.valueOf(it.key) <= LogColumn.BATTERY } + 1
-    fun cells(row: Entry) = listOfNotNull(topics[row.key]?.let { EntryCell("", preview = Preview(it, range)) })
+    fun cells(row: TableRow) = listOfNotNull(topics[row.key]?.let { Cell("", preview = Preview(it, range)) })
     val rows = groups.map { group ->
-        EntryGroup(
-            group.title,
-            group.count,
-            group.rows.map {
-                Entry(it.key, it.name, it.checks, it.cells.with(at, cells(it)), it.open, it.isMuted)
-            },
-        )
+        val rows = group.rows.map {
+            TableRow(it.name, it.cells.with(at, cells(it)), it.key, checks = it.checks, open = it.open, isMuted = it.isMuted)
+        }
+        RowGroup(rows, group.title, group.count)
     }
-    val title = EntryColumn(PREVIEW, name ?: "Battery voltage", isNumber = false, isDescending = null, sort = null)
-    return EntryTable(key, this.name, columns.with(at, title), rows)
+    return Table(key, columns.with(at, Column(name ?: "Battery voltage", key = PREVIEW)), rows, this.name)
 }
 
 /** The key of the column with the previews. */

@@ -15,8 +15,8 @@ import badlog.viewer.catalog.PreviewLine
 import badlog.viewer.catalog.ProblemCounts
 import badlog.viewer.catalog.TopicSummary
 import badlog.viewer.catalog.Verdict
-import badlog.viewer.panel.EntryCell
-import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Cell
+import badlog.viewer.panel.Table
 import badlog.viewer.shown.folder.AnyLog
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
@@ -55,12 +55,12 @@ class LogTableSpec : FunSpec({
     val yesterday = log("logs/bench.csv", second = morning - 86_400)
 
     fun table(vararg logs: AnyLog, change: Listing<AnyLog>.() -> Listing<AnyLog> = { this }) = logTable(Listing(logs.toList(), folder = "logs").change(), emptySet())
-    fun EntryTable.cells(row: Int, column: LogColumn): List<EntryCell> {
+    fun Table.cells(row: Int, column: LogColumn): List<Cell> {
         val at = columns.indexOfFirst { it.key == column.name }
         return if (at < 0) emptyList() else groups.flatMap { it.rows }[row].cells[at]
     }
-    fun EntryTable.texts(row: Int) = groups.flatMap { it.rows }[row].cells.map { cells -> cells.joinToString { it.text } }
-    fun EntryCell.opens() = open.shouldBeInstanceOf<FolderAction.Open>().run { path to showsFinding }
+    fun Table.texts(row: Int) = groups.flatMap { it.rows }[row].cells.map { cells -> cells.joinToString { it.text } }
+    fun Cell.opens() = open.shouldBeInstanceOf<FolderAction.Open>().run { path to showsFinding }
 
     test("a row begins with the match and what happened, and ends with the files; empty columns are left out") {
         val table = table(robot, station, practice)

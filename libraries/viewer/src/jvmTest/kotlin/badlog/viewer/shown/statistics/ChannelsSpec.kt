@@ -33,9 +33,9 @@ class ChannelsSpec : FunSpec({
         val axis = LogView.of(BagParser().finish()).xAxis
         fun table(state: StatisticsState) = statisticsOf(Measured(emptyList(), emptyList(), channels), NamedSpan("Whole log", all.single()), axis, state, emptyMap()).last() as Table
         val ranked = table(StatisticsState())
-        ranked.columns.map { it.title to it.isSorted } shouldContainExactly
-            listOf("Channel" to false, "Charge" to true, "Peak" to false, "Share" to false)
-        ranked.rows.map { row -> row.name to row.cells.map { it.text } } shouldContainExactly
+        ranked.columns.map { it.title to it.isDescending } shouldContainExactly
+            listOf("Channel" to null, "Charge" to true, "Peak" to null, "Share" to null)
+        ranked.rows.map { row -> row.name to row.cells.drop(1).map { it.single().text } } shouldContainExactly
             listOf("Current 0" to listOf("1 Ah", "36 A", "97.6 %"), "Current 1" to listOf("0.025 Ah", "90 A", "2.4 %"))
         table((ranked.columns[2].sort as Action.Measure).statistics).rows.first().name shouldBe "Current 1"
     }

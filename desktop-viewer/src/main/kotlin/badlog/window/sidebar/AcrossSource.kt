@@ -4,6 +4,7 @@ import badlog.catalog.folder.LogEntry
 import badlog.core.analysis.statistics
 import badlog.core.recording.PathName
 import badlog.signals.match.localSecondOf
+import badlog.viewer.panel.folder.AcrossLog
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
 import badlog.viewer.text.isoText
@@ -19,12 +20,12 @@ import java.util.concurrent.TimeUnit
  *
  * @property topics the names of all selectable topics, by folder.
  * @property drawn the topics of the recordings on the screen, by name.
- * @property rowsOf returns the statistics of the given topics in every recording; it takes a while: call it off the window's thread.
+ * @property logsOf returns the statistics of the given topics in every recording; it takes a while: call it off the window's thread.
  */
-internal class StatisticsSource(
+internal class AcrossSource(
     val topics: List<String>,
     private val drawn: Map<String, DrawableTopic>,
-    val rowsOf: (topics: List<String>) -> List<StatisticsRow>,
+    val logsOf: (topics: List<String>) -> List<AcrossLog>,
 ) {
     /**
      * Returns the [topics] that match [query]. May look through samples.
@@ -44,9 +45,9 @@ internal class StatisticsSource(
  * Returns the data for the table: all signals with numbers of the [drawn] recordings, and [known] rows of other logs. Those rows are
  * included only if [isOverAll]. A log that is both is included once.
  */
-internal fun statisticsSource(drawn: List<OpenRecording>, known: List<StatisticsRow>, isOverAll: Boolean = true): StatisticsSource {
+internal fun acrossSource(drawn: List<OpenRecording>, known: List<AcrossLog>, isOverAll: Boolean = true): AcrossSource {
     val knownByFile = known.associateBy { it.path }
-    val drawnFiles = drawn.mapTo(HashSet()) { it.file }
+    val drawnFiles = drawn.mapTo(HashSet()) { "${it.file}" }
     val others = if (isOverAll) known.filter { it.path !in drawnFiles } else emptyList()
     val topics = LinkedHashSet<String>()
     val signals = drawn.flatMap { it.signals }.filter { it.hasFigures }
@@ -54,18 +55,18 @@ internal fun statisticsSource(drawn: List<OpenRecording>, known: List<Statistics
     for (row in others) topics += row.statistics.keys
     // The first signal of a name belongs to the open log, like the findings.
     val byName = signals.asReversed().associateBy { it.name }
-    return StatisticsSource(topics.sortedBy { PathName.folderOf(it).lowercase() }, byName) { asked ->
-        drawn.map { statisticsRow(it, asked, knownByFile[it.file]?.date ?: dateOf(it)) } + others
+    return AcrossSource(topics.sortedBy { PathName.folderOf(it).lowercase() }, byName) { asked ->
+        drawn.map { acrossLog(it, asked, knownByFile["${it.file}"]?.date ?: dateOf(it)) } + others
     }
 }
 
 /** Returns the statistics of those [topics] that [recording] has; [date] is the time when it was recorded. */
-internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date: String): StatisticsRow {
+internal fun acrossLog(recording: OpenRecording, topics: List<String>, date: String): AcrossLog {
     val signals = topics.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
-    return StatisticsRow(
+    return AcrossLog(
         label = recording.label,
         date = date,
-        path = recording.file,
+        path = "${recording.file}",
         statistics = signals.associate { it.name to it.line.statistics() },
         units = signals.associate { it.name to it.unit },
         xUnit = recording.view.xAxis.unit,
@@ -83,12 +84,12 @@ private fun dateOf(recording: OpenRecording): String = try {
 private fun sortableText(second: Long): String = isoText(second).replace('T', ' ')
 
 /** Returns a row for each of [logs], the newest first. It has the statistics that are known without reading the log again. */
-internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
+internal fun acrossLogs(logs: List<LogEntry>): List<AcrossLog> =
     logs.filter { it.isReadable && it.summary.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
-        StatisticsRow(
+        AcrossLog(
             label = log.summary.match.title ?: log.fileName,
             date = sortableText(log.summary.date.second),
-            path = log.file,
+            path = "${log.file}",
             statistics = log.summary.topics.associate { it.name to it.statistics },
             units = log.summary.topics.associate { it.name to it.unit },
             xUnit = log.summary.xUnit,

@@ -37,6 +37,7 @@ import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
@@ -48,40 +49,45 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.panel.Entry
-import badlog.viewer.panel.EntryCell
-import badlog.viewer.panel.EntryColumn
-import badlog.viewer.panel.EntryGroup
-import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Cell
+import badlog.viewer.panel.Extreme
+import badlog.viewer.panel.RowGroup
+import badlog.viewer.panel.Table
+import badlog.viewer.panel.TableRow
 import badlog.viewer.state.Action
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameText
+import badlog.window.theme.Palette
+import badlog.window.theme.Tip
+import badlog.viewer.panel.Column as PanelColumn
 
 /**
- * Shows [table]; its rows scroll below its titles.
+ * Shows [table] in a place that is wide enough for its columns; its rows scroll below its titles.
  *
  * @param selected the key of the selected row; null for none.
  * @param open the key of the row with the open log; null for none.
  * @param onSelect called with the row that a person presses.
  */
 @Composable
-internal fun EntryTableView(
-    table: EntryTable,
+internal fun WideTableView(
+    table: Table,
     send: (Action) -> Unit,
     list: LazyListState = rememberLazyListState(),
     selected: String? = null,
     open: String? = null,
-    onSelect: (Entry) -> Unit = {},
+    onSelect: (TableRow) -> Unit = {},
 ) {
     val sideways = rememberScrollState()
     BoxWithConstraints(Modifier.fillMaxSize()) {
-        val widths = remember(table, maxWidth) { widthsOf(table, maxWidth) }
-        Column(Modifier.fillMaxSize().horizontalScroll(sideways).width(CHECKS + widths.reduce(Dp::plus))) {
-            TableHead(table, widths, send)
+        val checks = if (table.rows.any { it.checks.isNotEmpty() }) CHECKS else 0.dp
+        val widths = remember(table, maxWidth) { widthsOf(table, maxWidth - checks) }
+        Column(Modifier.fillMaxSize().horizontalScroll(sideways).width(checks + widths.reduce(Dp::plus))) {
+            TableHead(table, checks, widths, send)
             HorizontalDivider()
             LazyColumn(Modifier.weight(1f).padding(bottom = 8.dp), list) {
                 rows(table) { row ->
-                    EntryView(row, table.columns, widths, row.key == open, row.key == selected, { onSelect(row) }, send)
+                    RowOfCells(row, table.columns, checks, widths, row.key == open, row.key == selected, { onSelect(row) }, send)
                 }
             }
         }
@@ -91,7 +97,7 @@ internal fun EntryTableView(
 }
 
 /** Adds the groups of [table] to a list, with their titles. */
-internal fun LazyListScope.rows(table: EntryTable, row: @Composable (Entry) -> Unit) {
+internal fun LazyListScope.rows(table: Table, row: @Composable (TableRow) -> Unit) {
     for (group in table.groups) {
         if (group.title.isNotEmpty()) item("group ${group.title}") { GroupTitle(group) }
         items(group.rows, key = { it.key }) { row(it) }
@@ -102,17 +108,18 @@ internal fun LazyListScope.rows(table: EntryTable, row: @Composable (Entry) -> U
 private val CHECKS: Dp = 34.dp
 
 /** Returns the widths of the columns of [table], in the width [available]: enough for their texts, and in proportion for the rest. */
-private fun widthsOf(table: EntryTable, available: Dp): List<Dp> {
+private fun widthsOf(table: Table, available: Dp): List<Dp> {
     val rows = table.groups.flatMap { it.rows }
     val needed = table.columns.mapIndexed { i, column ->
         val letters = rows.maxOfOrNull { row -> row.cells[i].maxOfOrNull(::lettersOf) ?: 0 } ?: 0
-        maxOf(column.title.length + 2, letters.coerceAtMost(MAX_LETTERS)) * (if (column.isNumber) DIGIT else LETTER) + 2 * GAP
+        maxOf(column.title.lines().maxOf { it.length } + 2, letters.coerceAtMost(MAX_LETTERS)) * (if (column.isNumber) DIGIT else LETTER) +
+            2 * GAP
     }
-    val share = maxOf(1f, (available - CHECKS).value / needed.sum())
+    val share = maxOf(1f, (available).value / needed.sum())
     return needed.map { (it * share).dp }
 }
 
-private fun lettersOf(cell: EntryCell) = cell.text.length + when {
+private fun lettersOf(cell: Cell) = cell.text.length + when {
     cell.preview != null -> PREVIEW_LETTERS
     cell.share != null || cell.severity != null -> MARK_LETTERS
     else -> 0
@@ -120,9 +127,9 @@ private fun lettersOf(cell: EntryCell) = cell.text.length + when {
 
 /** The titles of the columns of [table]; a click sorts. */
 @Composable
-private fun TableHead(table: EntryTable, widths: List<Dp>, send: (Action) -> Unit) {
+private fun TableHead(table: Table, checks: Dp, widths: List<Dp>, send: (Action) -> Unit) {
     val palette = LocalPalette.current
-    Row(Modifier.fillMaxWidth().background(palette.raised).padding(start = CHECKS)) {
+    Row(Modifier.fillMaxWidth().background(palette.raised).padding(start = checks)) {
         table.columns.forEachIndexed { i, column ->
             val sort = column.sort
             val sorts = if (sort == null) {
@@ -131,7 +138,7 @@ private fun TableHead(table: EntryTable, widths: List<Dp>, send: (Action) -> Uni
                 Modifier
                     .clickable(role = Role.Button) { send(sort) }
                     .focusProperties { canFocus = false }
-                    .semantics { contentDescription = "Sort by ${column.title}" }
+                    .semantics { contentDescription = "Sort by ${column.hint.ifEmpty { column.title }}" }
             }
             Row(
                 Modifier.width(widths[i]).then(sorts).padding(horizontal = GAP.dp, vertical = 6.dp),
@@ -140,14 +147,11 @@ private fun TableHead(table: EntryTable, widths: List<Dp>, send: (Action) -> Uni
             ) {
                 val isDescending = column.isDescending
                 val color = if (isDescending != null) palette.accent else palette.muted
-                Text(
-                    column.title,
-                    color = color,
-                    fontSize = 12.sp,
-                    fontWeight = FontWeight.SemiBold,
-                    maxLines = 1,
-                    overflow = TextOverflow.Ellipsis,
-                )
+                Tip(column.hint) {
+                    Column(horizontalAlignment = if (column.isNumber) Alignment.End else Alignment.Start) {
+                        for (line in column.title.lines()) NameText(line, color = color, fontSize = 12.sp, fontWeight = FontWeight.SemiBold)
+                    }
+                }
                 if (isDescending != null) Icon(if (isDescending) Icons.Down else Icons.Up, null, Modifier.size(12.dp), color)
             }
         }
@@ -156,7 +160,7 @@ private fun TableHead(table: EntryTable, widths: List<Dp>, send: (Action) -> Uni
 
 /** The title of [group], with its count. */
 @Composable
-private fun GroupTitle(group: EntryGroup) {
+private fun GroupTitle(group: RowGroup) {
     Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 12.dp, top = 10.dp, bottom = 4.dp), Arrangement.spacedBy(8.dp)) {
         Text(
             group.title,
@@ -171,9 +175,10 @@ private fun GroupTitle(group: EntryGroup) {
 
 /** Shows [row] of a table with [columns]. A press selects it, a double click opens it. */
 @Composable
-private fun EntryView(
-    row: Entry,
-    columns: List<EntryColumn>,
+private fun RowOfCells(
+    row: TableRow,
+    columns: List<PanelColumn>,
+    checks: Dp,
     widths: List<Dp>,
     isOpen: Boolean,
     isSelected: Boolean,
@@ -182,7 +187,7 @@ private fun EntryView(
 ) {
     val palette = LocalPalette.current
     val select by rememberUpdatedState(onSelect)
-    val open by rememberUpdatedState { send(row.open) }
+    val open by rememberUpdatedState { row.open?.let(send) ?: Unit }
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
     Row(
@@ -200,13 +205,13 @@ private fun EntryView(
                 }
             },
     ) {
-        Column(Modifier.width(CHECKS).padding(start = 4.dp)) {
+        Column(Modifier.width(checks).padding(start = minOf(checks, 4.dp))) {
             for (check in row.checks) LineOf(Arrangement.Start) { CheckView(check, send) }
         }
         columns.forEachIndexed { i, column ->
             Column(Modifier.width(widths[i]).padding(horizontal = GAP.dp)) {
                 for (cell in row.cells[i]) {
-                    LineOf(column.arrangement) {
+                    LineOf(column.arrangement, cell.extreme) {
                         val color = if (row.isMuted) {
                             palette.muted
                         } else if (isOpen) {
@@ -225,11 +230,18 @@ private fun EntryView(
 }
 
 @Composable
-private fun LineOf(arrangement: Arrangement.Horizontal, content: @Composable () -> Unit) {
-    Row(Modifier.fillMaxWidth().height(28.dp), arrangement, Alignment.CenterVertically) { content() }
+private fun LineOf(arrangement: Arrangement.Horizontal, extreme: Extreme? = null, content: @Composable () -> Unit) {
+    val color = extreme?.let { extremeColor(it, LocalPalette.current) } ?: Color.Transparent
+    Row(Modifier.fillMaxWidth().height(28.dp).background(color), arrangement, Alignment.CenterVertically) { content() }
 }
 
-private val EntryColumn.arrangement: Arrangement.Horizontal get() = if (isNumber) Arrangement.End else Arrangement.Start
+/** Returns the color behind the [extreme] of a column. */
+internal fun extremeColor(extreme: Extreme, palette: Palette): Color = when (extreme) {
+    Extreme.SMALLEST -> palette.warningSoft
+    Extreme.LARGEST -> palette.accentSoft
+}
+
+private val PanelColumn.arrangement: Arrangement.Horizontal get() = if (isNumber) Arrangement.End else Arrangement.Start
 
 /** The width of a letter, in dp. */
 private const val LETTER = 7.5f
