@@ -22,5 +22,5 @@ internal fun countsOf(set: EvidenceSet, logs: List<JudgedLog>, hashes: Map<Strin
     RuleCounts(rule, hash, set, ran.size, ran.mapNotNull { it.team }.distinct().size, found.size, right, wrong, unknown)
 }
 
-/** Returns these counts with those of [made] in place of what was counted for [rules] in the same sets. */
+/** Returns these counts, in which [made] replaces the counts of [rules] in the same sets. */
 internal fun List<RuleCounts>.recounted(made: Map<EvidenceSet, List<RuleCounts>>, rules: Set<String>): List<RuleCounts> = filter { it.set !in made || it.rule !in rules } + made.values.flatten()

@@ -59,8 +59,8 @@ private fun thirdLogsOf(folder: File): List<JudgedLog> {
 }
 
 /**
- * Returns the matches of the fifth simulator in [folder] and below it. The `truth.tsv` of each has the planted faults, their times, and what a finding
- * about them says: expressions for the fault and for the part, both of which have to be found in it or in its topics.
+ * Returns the matches of the fifth simulator in [folder] and below it. The `truth.tsv` of each has the planted faults, their times, and two
+ * expressions for a right finding: for the fault, and for the part. Both have to match the finding or its topics.
  */
 internal fun fifthLogs(folder: File): List<JudgedLog> = folder.walkTopDown().filter { it.name == "truth.tsv" }.sorted().toList().flatMap { fifthLogsOf(it) }
 
