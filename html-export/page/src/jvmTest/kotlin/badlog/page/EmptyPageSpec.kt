@@ -7,8 +7,10 @@ import badlog.formats.driverstation.STATION_EVENTS
 import badlog.formats.driverstation.STATION_LOG
 import io.kotest.assertions.withClue
 import io.kotest.core.annotation.Tags
+import io.kotest.inspectors.forNone
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -40,7 +42,8 @@ internal class EmptyPageSpec : PageSpec({
     val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 11) { row, column -> if (column == 0) row / 10.0 else 12.0 }
 
     test("the page without a log is at most 600,000 bytes, besides its sample") {
-        val sample = page.readText().substringAfter("id=\"sample\"").substringBefore("</script>")
+        val sample = page.readText().substringAfter("id=\"sample\"", "").substringBefore("</script>")
+        sample.length shouldBeGreaterThan 10_000
         Files.size(page) - sample.length shouldBeLessThanOrEqual 600_000L
     }
 
@@ -70,6 +73,7 @@ internal class EmptyPageSpec : PageSpec({
                 await("the sample") { texts(".page-title h1").isNotEmpty() }
                 awaitState("ready")
                 text shouldContain "Likely cause: the robot drew more than its battery gives."
+                texts(".finding-text").forNone { it shouldContain "restarted" }
             }
             click("#go-back")
             awaitState("empty")

@@ -81,6 +81,23 @@ internal class MatchZipSpec : PageSpec({
                 text shouldContain "moved by 1.5 s; as stated"
                 back()
             }
+            step("files of another program's match.json are listed, and a mistake in one is said") {
+                dropped("robot.bag" to robot(), "match.json" to "{}".encodeToByteArray())
+                texts(".page-title h1") shouldBe listOf("robot.bag")
+                back()
+                val newer = "match.json" to """{"version":2,"files":[]}""".encodeToByteArray()
+                dropped("match.zip" to zip("robot.bag" to robot(), newer), state = "failed")
+                text shouldContain "is from a newer badlog"
+                back()
+            }
+            step("a log that pages do not read is left out, and one beside the folder of the match.json is another") {
+                val manifest = """{"version":1,"files":[{"name":"robot.bag"},{"name":"rio.hoot"}]}""".encodeToByteArray()
+                val files = listOf("Q7/robot.bag" to robot(), "Q7/rio.hoot" to ByteArray(9), "Q7/match.json" to manifest, "notes.csv" to byteArrayOf(1))
+                dropped("match.zip" to zip(*files.toTypedArray()))
+                text shouldContain "rio.hoot is left out"
+                text shouldContain "../notes.csv"
+                back()
+            }
             step("of two matches, the logs can be listed") {
                 dropped("day.zip" to zip("a/robot.bag" to robot(), "b/robot.bag" to robot(day = 1)), state = "failed")
                 text shouldContain "It has the logs of 2 matches"
@@ -93,7 +110,12 @@ internal class MatchZipSpec : PageSpec({
                 val good = zip("robot.bag" to robot())
                 val damaged = good.copyOf().also { it[good.size / 2] = (it[good.size / 2] + 1).toByte() }
                 val bomb = zip("robot.csv" to ByteArray(70_000_000))
-                for ((bytes, sentence) in listOf(byteArrayOf(1, 2, 3) to "not a ZIP", damaged to "damaged", bomb to "grows more than 200 times")) {
+                val stored = zip("robot.bag" to robot(), isStored = true).also { it[2000] = (it[2000] + 1).toByte() }
+                val list = good.copyOf().also { it[good.size - 77] = 0 }
+                for ((bytes, sentence) in listOf(
+                    byteArrayOf(1, 2, 3) to "not a ZIP", list to "not a ZIP", damaged to "damaged", stored to "damaged",
+                    bomb to "grows more than 200 times",
+                )) {
                     dropped("match.zip" to bytes, state = "failed")
                     text shouldContain sentence
                     back()

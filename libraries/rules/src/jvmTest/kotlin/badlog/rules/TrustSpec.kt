@@ -87,6 +87,13 @@ class TrustSpec : FunSpec({
         match.findings().map { it.rule }.filter { it == "Log begins in teleop" || it == "Restarted in the match" } shouldBe listOf("Restarted in the match")
     }
 
+    test("a part that was cut out of a match's log does not say that the program had restarted") {
+        val match = TestMatch().apply(PLANTED.getValue("Restarted in the match"))
+        fun restarts(clock: (Double) -> Double) = HEARD_RULES.over(match.view(clock), "test.bag").findings.count { it.rule == "Restarted in the match" }
+        restarts { it + 12 } shouldBe 1
+        restarts { it + 60 } shouldBe 0
+    }
+
     test("a finding says how rarely its topic is sampled, unless that is each loop") {
         val match = TestMatch().apply { from(20.0, BATTERY) { if (it < 20.5) "6.4" else "12" } }
         match.finding("Low battery").caveats.shouldBeEmpty()

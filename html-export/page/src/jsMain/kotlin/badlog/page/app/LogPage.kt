@@ -44,6 +44,8 @@ import badlog.page.note.NoteList
 import badlog.page.note.PageNotes
 import badlog.page.opened.LogOpening
 import badlog.page.opened.OpenedLog
+import badlog.page.opened.isManifest
+import badlog.page.opened.isZip
 import badlog.page.opened.acceptFiles
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
@@ -309,6 +311,9 @@ internal class LogPage(
     private fun linesNow() = BoardLines(formulas.view, hookGraphs)
 
     private fun openDropped(files: List<File>) {
+        if (files.any { isZip(it) || isManifest(it) }) {
+            return scene.notice.ask("The files of a match", "Open them as one log" to { opening.open(files) })
+        }
         val logs = files.filterNot { layouts.buttons.open(it) || video.open(it) }
         val name = OpenedLog.logsIn(logs).firstOrNull()?.fileName ?: return
         scene.notice.ask(name, "Compare with this log" to { compareBar.open(logs) }, "Open instead" to { opening.open(logs) })

@@ -91,8 +91,11 @@ internal class Following(
     }
 
     // A worker takes longer to start than a small log takes to read.
-    private fun read(grown: File): Promise<Recording> =
-        if (grown.size.toDouble() < SMALL) LogFileReader(listOf(grown)) {}.read() else FileReading(listOf(grown)) {}.start().then { it.recording }
+    private fun read(grown: File): Promise<Recording> = if (grown.size.toDouble() < SMALL) {
+        LogFileReader(listOf(grown)) {}.read()
+    } else {
+        FileReading(listOf(grown)) {}.start().then { it.recording }
+    }
 
     private fun show(grown: File, read: Recording) {
         if (isOver) return

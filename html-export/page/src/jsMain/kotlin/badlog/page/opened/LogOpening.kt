@@ -7,14 +7,13 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
-import badlog.page.dom.place
+import badlog.page.dom.json
 import badlog.page.dom.screenKey
 import badlog.page.embedded.logIn
 import badlog.page.linked.LinkedFile
 import badlog.page.reading.FileReading
 import badlog.page.reading.MatchFiles
 import badlog.page.reading.WantedTopics
-import badlog.page.reading.filesInZip
 import badlog.page.screen.LoadingScreen
 import badlog.page.screen.PageRoot
 import badlog.page.screen.setPageState
@@ -22,7 +21,6 @@ import badlog.page.served.Download
 import badlog.page.served.ServedFolder
 import badlog.page.served.served
 import badlog.rules.RuleSet
-import badlog.signals.match.files.MatchManifest
 import badlog.signals.overItsTime
 import badlog.viewer.input.ScreenKey
 import badlog.viewer.shown.folder.Changes
@@ -32,6 +30,7 @@ import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.KeyboardEvent
 import org.w3c.files.File
+import org.w3c.files.FilePropertyBag
 import kotlin.js.Promise
 
 /**
@@ -75,10 +74,13 @@ internal class LogOpening(
     fun open(files: List<File>) {
         again = { open(files) }
         val only = files.singleOrNull()
-        if (only != null && only.name.endsWith(".zip", ignoreCase = true)) {
-            return openMatch(only.name) { filesInZip(only) { isManifest(it) || OpenedLog.isNamedLikeLog(it) } }
-        }
-        if (files.any { isManifest(it.name) }) return openMatch("match") { Promise.resolve(files) }
+        if (only != null && isZip(only)) return openMatch(only.name, matchInZip(only)) {}
+        val manifest = files.find(::isManifest) ?: return openLogs(files)
+        openMatch(OpenedLog.pathOf(manifest).substringBefore('/', "match"), matchAmong(files)) { openLogs(files) }
+    }
+
+    private fun openLogs(files: List<File>) {
+        val only = files.singleOrNull()
         val advice = only?.let { adviceFor(it.name) }
         // A single file was selected by name, so it may have any name.
         val logs = OpenedLog.logsIn(if (only != null) files else files.filter(OpenedLog::isNamedLikeLog))
@@ -94,29 +96,34 @@ internal class LogOpening(
         }
     }
 
-    /** Opens the logs of one match, in files that [find] promises, as one log, which is named after [name]. */
-    private fun openMatch(name: String, find: () -> Promise<List<File>>) {
+    /** Opens the logs of the match that [found] promises as one log, which is named after [name]; if it is null, calls [otherwise]. */
+    private fun openMatch(name: String, found: Promise<MatchFiles?>, otherwise: () -> Unit) {
         val asked = wait(name) {}
-        fun refuse(problem: Throwable, logs: List<OpenedLog> = emptyList()) {
-            val tools = back()
-            if (logs.size > 1) tools.addButton("", "List its logs") { list(logs, name, again = null) }.id = "list-logs"
-            fail("$name cannot be opened as one match", problem.message.orEmpty(), tools)
-        }
-        find().then({ files ->
-            val manifest = files.find { isManifest(it.name) }
-            val folder = manifest?.run { place.orEmpty().removeSuffix(MatchManifest.NAME) }.orEmpty()
-            val logs = OpenedLog.logsIn(files.filter(OpenedLog::isNamedLikeLog))
-            textOf(manifest).then { text ->
-                lateinit var reading: FileReading
-                if (!asked.isLatest) return@then
-                val waiting = wait(name) { reading.cancel() }
-                reading = FileReading(MatchFiles(logs.associate { it.path.removePrefix(folder) to it.files }, text), rules(), waiting.screen::show)
-                reading.start().then({ read ->
-                    val made = File(arrayOf(checkNotNull(read.made)), "$name.wpilog")
-                    if (waiting.isLatest) accept(OpenedLog(listOf(made)), read.recording, emptyList(), showsWorst = false)
-                }, { if (waiting.isLatest) refuse(it, logs) })
+        found.then({ match ->
+            when {
+                !asked.isLatest -> Unit
+                match == null -> otherwise()
+                else -> read(name, match)
             }
-        }, { if (asked.isLatest) refuse(it) }).catch { root.failUnexpectedly(it, back()) }
+        }, { if (asked.isLatest) refuse(name, it, emptyList()) }).catch { root.failUnexpectedly(it, back()) }
+    }
+
+    private fun read(name: String, match: MatchFiles) {
+        lateinit var reading: FileReading
+        val asked = wait(name) { reading.cancel() }
+        reading = FileReading(match, rules(), asked.screen::show)
+        val logs = match.logs.values.map { OpenedLog(it) }
+        reading.start().then({ read ->
+            val time = json("lastModified" to logs[0].modified.toDouble()).unsafeCast<FilePropertyBag>()
+            val made = File(arrayOf(checkNotNull(read.made)), "$name.wpilog", time)
+            if (asked.isLatest) accept(OpenedLog(listOf(made)), read.recording, emptyList(), showsWorst = false)
+        }, { if (asked.isLatest) refuse(name, it, logs) }).catch { root.failUnexpectedly(it, back()) }
+    }
+
+    private fun refuse(name: String, problem: Throwable, logs: List<OpenedLog>) {
+        val tools = back()
+        if (logs.isNotEmpty()) tools.addButton("", "List its logs") { list(logs, name, again = null) }.id = "list-logs"
+        fail("$name cannot be opened as one match", problem.message.orEmpty(), tools)
     }
 
     /** Opens [linked], the target of a link, after the reader has agreed. */
@@ -310,8 +317,11 @@ internal class LogOpening(
 
     /** Lists the logs in [watched], and logs that appear there later. */
     fun open(watched: WatchedFolder) {
-        watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched.again, watched.pages) }
-            .catch { root.failUnexpectedly(it, back()) }
+        watched.files().then { files ->
+            fun listAll() = list(OpenedLog.logsIn(files), watched.name, watched.again, watched.pages)
+            val manifest = watched.manifest ?: return@then listAll()
+            openMatch(watched.name, matchAmong(files + manifest), ::listAll)
+        }.catch { root.failUnexpectedly(it, back()) }
     }
 
     private fun list(logs: List<OpenedLog>, name: String, again: FolderPolling?, pages: Int = 0) {
@@ -373,11 +383,6 @@ internal class LogOpening(
         "hoot" -> "Open it in badlog's window, or make a WPILOG of it with “badlog convert”."
         else -> null
     }
-
-    private fun isManifest(path: String) = path.substringAfterLast('/') == MatchManifest.NAME
-
-    private fun textOf(file: File?): Promise<String?> =
-        if (file == null) Promise.resolve(null) else file.asDynamic().text().unsafeCast<Promise<String?>>()
 
     private companion object {
         /** The milliseconds between two looks at a robot's list; a robot has other work. */

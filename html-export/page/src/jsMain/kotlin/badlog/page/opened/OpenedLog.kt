@@ -96,8 +96,8 @@ internal class OpenedLog(
         /** Returns the time at which [file] was last written, in ms since 1970. */
         fun modifiedOf(file: File): Long = (file.asDynamic().lastModified as Double).toLong()
 
-        // A file that was dropped alone has no folder.
-        private fun pathOf(file: File) = file.place ?: (file.asDynamic().webkitRelativePath as String?).orEmpty().ifEmpty { file.name }
+        /** Returns the path of [file]; a file that was dropped alone has no folder. */
+        fun pathOf(file: File): String = file.place ?: (file.asDynamic().webkitRelativePath as String?).orEmpty().ifEmpty { file.name }
 
         // Two folders may have files of the same name.
         private fun withoutEnding(file: File) = pathOf(file).substringBeforeLast('.')

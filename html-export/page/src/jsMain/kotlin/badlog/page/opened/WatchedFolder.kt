@@ -1,6 +1,7 @@
 package badlog.page.opened
 
 import badlog.page.dom.place
+import badlog.signals.match.files.MatchManifest
 import kotlinx.browser.window
 import org.w3c.files.File
 import kotlin.js.Promise
@@ -15,6 +16,10 @@ internal class WatchedFolder(private val handle: dynamic) {
     /** The number of pages in it at the last look. */
     var pages = 0
         private set
+
+    /** The `match.json` in the folder itself; null if there was none at the last look. */
+    var manifest: File? = null
+        private set
     private var hasListed = false
 
     /** The paths that could not be read at first. */
@@ -28,6 +33,7 @@ internal class WatchedFolder(private val handle: dynamic) {
      */
     fun files(): Promise<List<File>> {
         pages = 0
+        manifest = null
         return filesIn(handle, name).then {
             hasListed = true
             it
@@ -62,7 +68,14 @@ internal class WatchedFolder(private val handle: dynamic) {
 
         !OpenedLog.isNamedLikeLog(place) -> {
             if (isPage(place)) pages++
-            Promise.resolve(emptyList())
+            if (place != "$name/${MatchManifest.NAME}") {
+                Promise.resolve(emptyList())
+            } else {
+                entry.getFile().then { file: File ->
+                    manifest = file.apply { this.place = place }
+                    emptyList<File>()
+                }.unsafeCast<Promise<List<File>>>()
+            }
         }
 
         else -> entry.getFile().then { file: File ->

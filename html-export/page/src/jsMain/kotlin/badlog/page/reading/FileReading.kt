@@ -40,7 +40,7 @@ internal class FileReading private constructor(
         val finish = { read: ReadLog -> if (!isCancelled) resolve(read) }
         val fail = { problem: Throwable -> if (!isCancelled) reject(problem) }
         var hasRead = false
-        val readHere = { reader(::advance).then(finish, fail) }
+        val readHere = { Promise.resolve(Unit).then { reader(::advance) }.unsafeCast<Promise<ReadLog>>().then(finish, fail) }
         val started = startWorker().also { worker = it } ?: return@Promise readHere().unsafeCast<Unit>()
         started.receive(
             WorkerAnswers(

@@ -20,8 +20,9 @@ import kotlin.js.Promise
  *
  * @property logs the files of each log, by its name beside the manifest.
  * @property manifest the text of the `match.json`; null if there is none.
+ * @property names the names of all files there, beside the manifest.
  */
-internal class MatchFiles(val logs: Map<String, List<File>>, val manifest: String?)
+internal class MatchFiles(val logs: Map<String, List<File>>, val manifest: String?, val names: Set<String>)
 
 /**
  * Reads the logs of a match one after the other, and joins them to one log. Used in the worker, or on the page if there is none.
@@ -29,7 +30,11 @@ internal class MatchFiles(val logs: Map<String, List<File>>, val manifest: Strin
  * @param signals the names of signals in all logs.
  * @param onProgress receives the fraction of the logs that has been read.
  */
-internal class MatchReader(private val match: MatchFiles, private val signals: SignalVocabulary, private val onProgress: (Double) -> Unit) {
+internal class MatchReader(
+    private val match: MatchFiles,
+    private val signals: SignalVocabulary,
+    private val onProgress: (Double) -> Unit,
+) {
     private val read = ArrayList<MatchFile>()
     private val sentences = ArrayList<String>()
 
@@ -50,7 +55,9 @@ internal class MatchReader(private val match: MatchFiles, private val signals: S
                 read += MatchFile(name, one?.role ?: roleOf(it), log, one?.seconds, one?.error)
             }
         }.then {
-            val joined = joinedMatch(read, sentences + missingOf(stated, match.logs.keys))
+            val unread = match.names.filter { it !in match.logs && (it.endsWith(".hoot", ignoreCase = true) || stated.any { one -> one.name == it }) }
+            unread.mapTo(sentences) { "$it is left out, because pages do not read it; badlog's window does." }
+            val joined = joinedMatch(read, sentences + missingOf(stated, match.names))
             ReadLog(joined, isDamaged = false, wpilogOf(joined))
         }
     }

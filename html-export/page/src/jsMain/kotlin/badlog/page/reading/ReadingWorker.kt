@@ -14,7 +14,8 @@ import kotlin.js.Promise
  * The worker that reads the recording, so that the page stays responsive. Its script is the page's own.
  *
  * The page sends an object with `expectedBytes`, `isWhole` and `lineSums`, then strings of base64, one for each `"more"` it receives, then
- * null; or it sends an object with `files` and `wanted`, or with `logs`, their `names`, `manifest` and `rules`. The worker answers with `"more"`, numbers (the fraction that is done), an object
+ * null; or it sends an object with `files` and `wanted`, or with `logs`, their
+ * `names`, `manifest`, the names of `all` files, and `rules`. The worker answers with `"more"`, numbers (the fraction that is done), an object
  * with `failure`, or the recording with `isDamaged` and `made`. Its answers to parts of a recording are described in [PartMessage].
  */
 internal object ReadingWorker {
@@ -43,6 +44,7 @@ internal object ReadingWorker {
         "logs" to match.logs.values.map { it.toTypedArray() }.toTypedArray(),
         "names" to match.logs.keys.toTypedArray(),
         "manifest" to match.manifest,
+        "all" to match.names.toTypedArray(),
         "rules" to rules.toJson(),
     )
 
@@ -83,7 +85,8 @@ internal object ReadingWorker {
 
     private fun readMatch(page: DedicatedWorkerGlobalScope, message: dynamic) {
         val logs = message.logs.unsafeCast<Array<Array<File>>>().map { it.toList() }
-        val match = MatchFiles(message.names.unsafeCast<Array<String>>().zip(logs).toMap(), message.manifest as String?)
+        val names = message.all.unsafeCast<Array<String>>().toSet()
+        val match = MatchFiles(message.names.unsafeCast<Array<String>>().zip(logs).toMap(), message.manifest as String?, names)
         val rules = checkNotNull(RuleSet.fromJson(message.rules as String))
         // A manifest with mistakes fails at once.
         val read = Promise.resolve(Unit).then { MatchReader(match, rules.signals) { page.postMessage(it) }.read() }

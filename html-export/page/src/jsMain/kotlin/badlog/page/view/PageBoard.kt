@@ -105,8 +105,10 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
 
     /** Stores the changes of the board. Graphs that other tabs changed meanwhile stay as they stored them; this tab does not show them. */
     fun remember() {
-        LocalStorage[key] = history.now.mergedWith(remembered() ?: known, known).toJson(haveIds = true)
-        known = history.now
+        val text = history.now.mergedWith(remembered() ?: known, known).toJson(haveIds = true)
+        LocalStorage[key] = text
+        // Without room in the storage, the change is stored with the next one.
+        if (LocalStorage[key] == text) known = history.now
         onKeep()
     }
 
