@@ -59,7 +59,7 @@ internal fun PanelView(parts: List<Part>, goal: Any?, send: (Action) -> Unit, mo
     }
 }
 
-/** The [parts] of a list that scrolls, with a [key] that no other parts of the list have; [current] is the index of the current one, or -1. */
+/** The [parts] of a list that scrolls, with a [key] of their own; [current] is the index of the current one, or -1. */
 private class Block(val key: String, val parts: List<Part>, val current: Int = -1)
 
 private fun blocksOf(part: Part): List<Block> = when (part) {

@@ -7,8 +7,8 @@ import badlog.viewer.catalog.TopicSummary
 import badlog.viewer.state.Action
 
 /**
- * A table, called [name] by screen readers; empty if its surroundings name it. The first of its [columns] has the subjects of its rows. Without
- * room for its columns, its rows are cards.
+ * A table, called [name] by screen readers; empty if its surroundings name it. The first of its [columns] has the subjects of its rows.
+ * Without room for its columns, its rows are cards.
  */
 class Table(override val key: String, val columns: List<Column>, val groups: List<RowGroup>, val name: String = "") : Part {
     /** All its rows. */

@@ -78,7 +78,8 @@ class AcrossLogs(logs: List<AcrossLog>, private val state: AcrossState) {
 
     private fun column(column: AcrossColumn, title: String, hint: String): Column {
         val isDescending = if (state.sort == column) state.isDescending else null
-        return Column(title, hint, FolderAction.MeasureAcross(state.sortedBy(column)), isDescending, isNumber = column is AcrossColumn.Figure)
+        val sort = FolderAction.MeasureAcross(state.sortedBy(column))
+        return Column(title, hint, sort, isDescending, isNumber = column is AcrossColumn.Figure)
     }
 
     private fun sorted(logs: List<AcrossLog>): List<AcrossLog> = when (val column = state.sort) {
