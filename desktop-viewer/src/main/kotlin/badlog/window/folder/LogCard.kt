@@ -59,9 +59,9 @@ internal fun LogCard(row: Entry, table: EntryTable, isOpen: Boolean, isSelected:
             .fillMaxWidth()
             .background(rowColor(palette, isOpen || isSelected, isHovered))
             .hoverable(interactions)
-            .clickable(onClickLabel = "Open") { send(row.open) }
+            .clickable(onClickLabel = "Open") { row.open?.let(send) }
             .semantics {
-                contentDescription = "Log ${row.name}"
+                contentDescription = row.name
                 selected = isOpen
             },
     ) {

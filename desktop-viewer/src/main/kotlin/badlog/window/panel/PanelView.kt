@@ -17,6 +17,7 @@ import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import badlog.viewer.panel.Buttons
+import badlog.viewer.panel.EntryTable
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
@@ -28,11 +29,20 @@ import badlog.viewer.state.Action
 
 /**
  * Shows a panel that consists of [parts]: heading, paragraphs, buttons and fields at its beginning stay above the others, which scroll.
+ * A table at its end scrolls below all others.
  *
  * @param goal the row that a person went to; the panel scrolls to the current row when it changes.
  */
 @Composable
 internal fun PanelView(parts: List<Part>, goal: Any?, send: (Action) -> Unit, modifier: Modifier) {
+    val table = parts.lastOrNull()
+    if (table is EntryTable) {
+        Column(modifier) {
+            for (part in parts.dropLast(1)) PartView(part, send)
+            Box(Modifier.weight(1f)) { EntryTableView(table, send) }
+        }
+        return
+    }
     val (above, below) = remember(parts) {
         fun stays(part: Part) = part is Heading || part is Paragraph || part is Buttons || part is Field
         parts.takeWhile(::stays) to parts.dropWhile(::stays).flatMap(::flat)

@@ -54,11 +54,14 @@ private fun PlainRow(row: PanelRow, send: (Action) -> Unit) {
         Modifier.inspectorLine(row.name, row.isCurrent, gap = 5.dp) { row.open?.let(send) },
         horizontalArrangement = Arrangement.spacedBy(8.dp),
     ) {
-        Column(Modifier.width(62.dp)) {
-            row.severity?.let { SeverityBadge(it, it.word) }
-            for (line in row.lines) {
-                line.since?.let { Time(it) }
-                Time(line.time)
+        row.check?.let { CheckView(it, send) }
+        if (row.check == null || row.severity != null) {
+            Column(Modifier.width(62.dp)) {
+                row.severity?.let { SeverityBadge(it, it.word) }
+                for (line in row.lines) {
+                    line.since?.let { Time(it) }
+                    Time(line.time)
+                }
             }
         }
         Column(Modifier.weight(1f)) {

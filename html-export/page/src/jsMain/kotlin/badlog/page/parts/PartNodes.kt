@@ -7,6 +7,9 @@ import badlog.page.view.Palette
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
+import badlog.viewer.panel.Card
+import badlog.viewer.panel.Cards
+import badlog.viewer.panel.Check
 import badlog.viewer.panel.Choice
 import badlog.viewer.panel.Code
 import badlog.viewer.panel.Entry
@@ -26,6 +29,7 @@ import badlog.viewer.panel.Row
 import badlog.viewer.panel.Rows
 import badlog.viewer.panel.Table
 import badlog.viewer.panel.TableRow
+import badlog.viewer.panel.Tone
 import badlog.viewer.panel.Trouble
 import badlog.viewer.state.Action
 import badlog.viewer.text.word
@@ -63,6 +67,17 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         is Table -> table(part)
         is Picture -> picture(part)
         is EntryTable -> entryTable(part)
+        is Cards -> Node("div", part.className, key = part.key, children = part.cards.map(::card))
+        is Card -> card(part)
+    }
+
+    private fun card(card: Card): Node {
+        val texts = listOf("b" to card.title, "strong" to card.headline) + card.lines.map { "span" to it }
+        val children = texts.filter { it.second.isNotEmpty() }.map { (tag, text) -> Node(tag, text = text) }
+        val look = "big-card has-${card.severity?.word}" + if (card.isLarge) " is-large" else ""
+        val open = card.open ?: return Node("div", look, key = card.key, children = children)
+        val attributes = mapOf("title" to card.hint, "data-path" to card.key)
+        return Node("button", look, key = card.key, attributes = attributes, press = { send(open) }, children = children)
     }
 
     private fun heading(heading: Heading) = Node(
@@ -76,7 +91,8 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
     )
 
     private fun paragraph(paragraph: Paragraph): Node {
-        val button = paragraph.button ?: return Node("p", paragraph.className, paragraph.text, paragraph.key)
+        val tag = if (paragraph.tone == Tone.TITLE) "h3" else "p"
+        val button = paragraph.button ?: return Node(tag, paragraph.className, paragraph.text, paragraph.key)
         val parts = listOf(Node("span", text = "${paragraph.text} "), textButton(button))
         return Node("p", paragraph.className, key = paragraph.key, children = parts)
     }
@@ -153,7 +169,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
     private fun item(part: Part): Node = if (part is Row) row(part) else Node("li", key = part.key, children = listOf(of(part)))
 
     private fun row(row: Row): Node {
-        val badge = listOfNotNull(row.severity?.let(::badge))
+        val badge = listOfNotNull(row.check?.let(::check), row.severity?.let(::badge))
         val parts = if (row.isFramed) framed(row) else plain(row)
         return Node(
             "li",
@@ -176,15 +192,17 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         val titles = table.columns.map { column ->
             val order = column.isDescending?.let { if (it) "descending" else "ascending" }
             val arrow = column.isDescending?.let { if (it) " ↓" else " ↑" }.orEmpty()
-            val sort = Node("button", "text-button", column.title + arrow, press = { column.sort?.let(send) })
-            Node("th", column.look, key = column.key, attributes = mapOf("aria-sort" to order), children = listOf(sort))
+            val sort = column.sort?.let { Node("button", "text-button", column.title + arrow, press = { send(it) }) }
+            val attributes = mapOf("aria-sort" to order, "title" to column.hint.ifEmpty { null })
+            Node("th", column.look, column.title.takeIf { sort == null }, column.key, attributes, children = listOfNotNull(sort))
         }
-        val head = Node("tr", children = listOf(Node("td")) + titles)
+        val checks = if (table.groups.any { group -> group.rows.any { it.checks.isNotEmpty() } }) listOf(Node("td")) else emptyList()
+        val head = Node("tr", children = checks + titles)
         val body = table.groups.flatMap { group ->
-            val span = mapOf("colspan" to "${titles.size + 1}", "scope" to "rowgroup")
+            val span = mapOf("colspan" to "${titles.size + checks.size}", "scope" to "rowgroup")
             val texts = listOf(Node("span", text = group.title), Node("span", "unit", group.count))
             val title = Node("tr", "row-group", key = group.title, children = listOf(Node("th", attributes = span, children = texts)))
-            listOf(title).filter { group.title.isNotEmpty() } + group.rows.map { entry(it, table.columns) }
+            listOf(title).filter { group.title.isNotEmpty() } + group.rows.map { entry(it, table.columns, checks.isNotEmpty()) }
         }
         return Node(
             "table",
@@ -194,11 +212,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         )
     }
 
-    private fun entry(row: Entry, columns: List<EntryColumn>): Node {
-        val checks = row.checks.map { check ->
-            val attributes = mapOf("type" to "checkbox", "aria-label" to check.label, "checked" to "".takeIf { check.isOn })
-            Node("input", attributes = attributes, on = mapOf("change" to { _: Event -> send(check.action) }))
-        }
+    private fun entry(row: Entry, columns: List<EntryColumn>, hasChecks: Boolean): Node {
         val cells = columns.mapIndexed { i, column -> Node("td", column.look, key = column.key, children = row.cells[i].map(::entryCell)) }
         return Node(
             "tr",
@@ -206,15 +220,20 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
             key = row.key,
             attributes = mapOf("data-path" to row.key),
             on = pressed(row.open),
-            children = listOf(Node("td", children = checks)) + cells,
+            children = listOf(Node("td", children = row.checks.map(::check))).filter { hasChecks } + cells,
         )
+    }
+
+    private fun check(check: Check): Node {
+        val attributes = mapOf("type" to "checkbox", "aria-label" to check.label, "checked" to "".takeIf { check.isOn })
+        return Node("input", attributes = attributes, on = mapOf("change" to { _: Event -> send(check.action) }))
     }
 
     private fun entryCell(cell: EntryCell): Node {
         val bar = cell.share?.let {
             Node("progress", "is-${cell.severity?.word}", attributes = mapOf("value" to "$it", "aria-hidden" to "true"))
         }
-        val hint = mapOf("title" to cell.hint.ifEmpty { null })
+        val hint = mapOf("title" to cell.hint.ifEmpty { null }, "aria-expanded" to cell.isUnfolded?.toString())
         val open = cell.open
         val text = if (open == null) {
             Node("span", text = cell.text, attributes = hint)

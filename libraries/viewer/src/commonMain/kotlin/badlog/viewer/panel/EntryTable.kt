@@ -13,8 +13,16 @@ class EntryTable(override val key: String, val name: String, val columns: List<E
  *
  * @property isDescending the order of the rows, if they are sorted by it; otherwise null.
  * @property sort the effect of a press on its [title]; null for none.
+ * @property hint an explanation of its title; empty for none.
  */
-class EntryColumn(val key: String, val title: String, val isNumber: Boolean, val isDescending: Boolean?, val sort: Action?)
+class EntryColumn(
+    val key: String,
+    val title: String,
+    val isNumber: Boolean,
+    val isDescending: Boolean? = null,
+    val sort: Action? = null,
+    val hint: String = "",
+)
 
 /** The [rows] of a table under a common [title], with their [count]; an empty title is not shown. */
 class EntryGroup(val title: String, val count: String, val rows: List<Entry>)
@@ -24,7 +32,7 @@ class EntryGroup(val title: String, val count: String, val rows: List<Entry>)
  *
  * @property checks its check boxes, below each other.
  * @property cells for each column, its entries, below each other.
- * @property open the effect of a press on the row.
+ * @property open the effect of a press on the row; null for none.
  * @property isMuted whether there is nothing to see in it.
  */
 class Entry(
@@ -32,7 +40,7 @@ class Entry(
     val name: String,
     val checks: List<Check>,
     val cells: List<List<EntryCell>>,
-    val open: Action,
+    val open: Action?,
     val isMuted: Boolean,
 )
 
@@ -46,6 +54,7 @@ class Check(val label: String, val isOn: Boolean, val action: Action)
  * @property share the length of a bar beside it, 0 to 1; null for none.
  * @property preview the shape of a series; null for none.
  * @property open the effect of a press on it; null for the effect of the row.
+ * @property isUnfolded whether the rows below belong to it and are shown; null if there are none.
  */
 class EntryCell(
     val text: String,
@@ -54,6 +63,7 @@ class EntryCell(
     val share: Double? = null,
     val preview: Preview? = null,
     val open: Action? = null,
+    val isUnfolded: Boolean? = null,
 )
 
 /** The shape of the series of [topic], drawn with the [range] of y from bottom to top. */

@@ -47,7 +47,7 @@ private fun <E : ListedLog> rowOf(listing: Listing<E>, run: MatchRun<E>, columns
     val named = logs.firstOrNull { it.summary.match.event != null } ?: worst
     return Entry(
         worst.path,
-        worst.fileName,
+        "Log ${worst.fileName}",
         logs.filter { it.isReadable }.map { Check("Compare ${it.fileName}", it.path in checked, FolderAction.Check(it.path)) },
         columns.map { column ->
             when (column) {
