@@ -31,25 +31,44 @@ internal class WindowRequests(
     /** Performs [request]. */
     fun perform(request: Request) = when (request) {
         is FindingRequest -> findings.perform(request)
+
         is FolderRequest.Fill -> panels.change { copy(form = request.form) }
+
         FolderRequest.Batteries -> panels.change { toggled(MainView.BATTERIES) }
+
         FolderRequest.Todo -> panels.change { toggled(MainView.TODO) }
+
         // Only the list's own pane can reach the clipboard.
         FolderRequest.CopyTodo -> Unit
+
         FolderRequest.SaveTodo -> todo.savePage()
+
         is FolderRequest.UseBattery -> batteries.assign(request.battery, request.match)
+
         is FolderRequest.WriteTodo -> todo.perform(request)
+
         is Request.ChangeNote -> notes.rewrite(request.note)
+
         is Request.RemoveNote -> notes.remove(request.note, spoken.placeOf(request.note.x))
+
         Request.Values -> panels.change { toggled(InspectorTab.CURSOR) }
+
         Request.Modules -> panels.change { toggled(InspectorTab.MODULES) }
+
         Request.Pin -> board.togglePin()
+
         is Request.Graphs -> board.follow(request)
+
         is Request.Layout -> layouts.step(request.steps)
+
         Request.Cursor -> spoken.sayValues()
+
         Request.Formula -> formulas.write()
+
         is Request.Note -> write(request)
+
         is Request.Mark -> notes.mark(request.x, spoken.placeOf(request.x))
+
         is Request.Frames -> video.step(request.count)
     }
 

@@ -100,23 +100,22 @@ internal fun sendTo(
     open: (LogEntry) -> Unit = actions.openInGraphs,
     list: LazyListState? = null,
     others: (Action) -> Unit = {},
-): (Action) -> Unit =
-    { action ->
-        when (action) {
-            is FolderAction.Sort -> {
-                library.change { sorted(action.column) }
-                list?.requestScrollToItem(0)
-            }
-
-            is FolderAction.Check -> actions.check(Path.of(action.path))
-
-            is FolderAction.Open -> library.state.entries.find {
-                it.path == action.path
-            }?.let(if (action.showsFinding) actions.openFindings else open)
-
-            else -> others(action)
+): (Action) -> Unit = { action ->
+    when (action) {
+        is FolderAction.Sort -> {
+            library.change { sorted(action.column) }
+            list?.requestScrollToItem(0)
         }
+
+        is FolderAction.Check -> actions.check(Path.of(action.path))
+
+        is FolderAction.Open -> library.state.entries.find {
+            it.path == action.path
+        }?.let(if (action.showsFinding) actions.openFindings else open)
+
+        else -> others(action)
     }
+}
 
 private fun onTableKey(library: Library, key: Key, actions: LibraryActions): Boolean {
     val state = library.state

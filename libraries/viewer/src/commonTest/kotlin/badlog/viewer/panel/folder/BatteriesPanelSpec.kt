@@ -26,8 +26,7 @@ class BatteriesPanelSpec : FunSpec({
 
     val seasons = season("B2" to 30.0, "B2" to 30.0, null to 21.0, "A1" to 20.0, "A1" to 20.2)
 
-    fun panel(of: List<BatterySeason> = seasons, unfolded: Set<String> = emptySet()) =
-        recordedBatteriesPanel(of, unfolded.associateWith { true }, emptyList(), isReading = false)
+    fun panel(of: List<BatterySeason> = seasons, unfolded: Set<String> = emptySet()) = recordedBatteriesPanel(of, unfolded.associateWith { true }, emptyList(), isReading = false)
 
     fun List<Part>.rows() = filterIsInstance<Table>().single().rows
     fun TableRow.texts() = cells.map { cell -> cell.joinToString { it.text } }

@@ -28,8 +28,7 @@ class PitPanelSpec : FunSpec({
     val before = batteryLog(41, BatteryUse("A1", "Battery", 8.5, 12.8, null, null, Resistance(20.0, 0.4))).copy(found = FindingSummary(0, emptyList()))
 
     fun advice(vararg logs: AnyLog) = BatteryAdvice.of(BatterySeason.of(logs.toList()))
-    fun panel(vararg logs: AnyLog, willRead: Boolean = true) =
-        pitPanel(PitLogs.of(logs.toList()), "No log yet.", advice(*logs), Action.Ask(FolderRequest.Batteries), willRead = { willRead })
+    fun panel(vararg logs: AnyLog, willRead: Boolean = true) = pitPanel(PitLogs.of(logs.toList()), "No log yet.", advice(*logs), Action.Ask(FolderRequest.Batteries), willRead = { willRead })
 
     test("the last match is first, with its verdict and the next step, and a press shows its worst finding") {
         val parts = panel(last, before)

@@ -36,8 +36,7 @@ class TodoPanelSpec : FunSpec({
     fun change(second: Int, subject: TodoSubject, deed: TodoDeed) = TodoChange("id$second", "2026-03-07T14:00:$second.000Z", "Ada", subject, deed, log.second - 60)
     val radio = change(10, OwnTask("Check the radio"), TodoDeed.Open)
 
-    fun todo(vararg changes: TodoChange, logs: List<TodoLog> = listOf(log), hasFolder: Boolean = true) =
-        TodoList.of(changes.toList(), logs).let { ListedTodo(it, it.checklist(listOf("Bumpers are tight")), hasFolder, hasOwnLines = false, "Ada") }
+    fun todo(vararg changes: TodoChange, logs: List<TodoLog> = listOf(log), hasFolder: Boolean = true) = TodoList.of(changes.toList(), logs).let { ListedTodo(it, it.checklist(listOf("Bumpers are tight")), hasFolder, hasOwnLines = false, "Ada") }
 
     fun panel(todo: ListedTodo, isDoneOpen: Boolean = false) = todoPanel(todo, mapOf("todo-done" to isDoneOpen)) { "/logs/$it" }
     fun List<Part>.rows(key: String) = filterIsInstance<Rows>().single { it.key == key }.rows.map { it as Row }
