@@ -211,7 +211,8 @@ internal class Viewer(
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
     val spoken = SpokenCursor(current, board, view)
     private val findingRequests = FindingRequests(current, findings, board, compared, since, panels, spoken)
-    private val requests: WindowRequests = WindowRequests(board, formulas, findingRequests, notes, keptLayouts, panels, video, spoken, todo)
+    private val requests: WindowRequests =
+        WindowRequests(board, formulas, findingRequests, notes, keptLayouts, panels, video, spoken, todo, batteries)
     val keyboard = Keyboard()
 
     /** All keyboard commands, in the order of the help. */

@@ -28,6 +28,7 @@ import badlog.window.formula.FormulaDialog
 import badlog.window.graph.GraphPane
 import badlog.window.graph.SpokenText
 import badlog.window.layout.LayoutMenu
+import badlog.window.panel.FormSheet
 import badlog.window.pit.PitPane
 import badlog.window.robot.RecordingLine
 import badlog.window.settings.PaneWidths
@@ -42,7 +43,6 @@ import badlog.window.task.StatusLines
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.PaneDivider
 import badlog.window.theme.ViewerTheme
-import badlog.window.todo.TodoDialog
 import badlog.window.todo.TodoPane
 import badlog.window.topics.TopicPane
 import badlog.window.welcome.Welcome
@@ -73,7 +73,11 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                         val open = current.recording
                         val sheet = formulas.sheet
                         if (open != null && sheet != null) FormulaDialog(formulas, sheet, open, Modifier.align(Alignment.TopCenter))
-                        todo.state.sheet?.let { TodoDialog(todo, it, Modifier.align(Alignment.TopCenter)) }
+                        panels.state.form?.let { form ->
+                            FormSheet(form, store::send, Modifier.align(Alignment.TopCenter)) { panels.change { copy(form = null) } }
+                        }
+                        // Its answer would change another folder.
+                        LaunchedEffect(library.state.folder) { panels.change { copy(form = null) } }
                         if (panels.state.help) {
                             HelpSheet(commands.map { it.help } + GESTURES + SEARCH_HELP, Modifier.align(Alignment.TopCenter)) {
                                 panels.change { copy(help = false) }
@@ -175,11 +179,11 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
 
             MainView.CHARTS -> ChartsPane(charts, library, settings, logActions, Modifier.fillMaxSize())
 
-            MainView.PIT -> PitPane(library, batteries, todo, logActions, Modifier.fillMaxSize())
+            MainView.PIT -> PitPane(library, batteries, todo, logActions, store::send, Modifier.fillMaxSize())
 
-            MainView.BATTERIES -> BatteriesPane(batteries, library, logActions, Modifier.fillMaxSize())
+            MainView.BATTERIES -> BatteriesPane(batteries, library, view, logActions, Modifier.fillMaxSize())
 
-            MainView.TODO -> TodoPane(todo, library, logActions, rememberCopy(), Modifier.fillMaxSize())
+            MainView.TODO -> TodoPane(todo, library, view, logActions, rememberCopy(), Modifier.fillMaxSize())
 
             MainView.STATISTICS -> AcrossPane(
                 across,

@@ -78,7 +78,7 @@ private fun LogList(library: Library, settings: SettingsStore, shown: ShownLogs,
     val selected = library.state.selectedRow
     val open = library.state.rowOf(shown.open)
     LogListPlace(list, table, selected)
-    val send = sendTo(library, list, actions, actions.open)
+    val send = sendTo(library, actions, actions.open, list)
     Box(Modifier.fillMaxSize().semantics { contentDescription = "Logs" }) {
         LazyColumn(Modifier.fillMaxSize(), list) {
             rows(table) { LogCard(it, table, isOpen = it.key == open, isSelected = it.key == selected, send) }

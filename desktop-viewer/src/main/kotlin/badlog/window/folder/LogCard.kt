@@ -61,7 +61,7 @@ internal fun LogCard(row: TableRow, table: Table, isOpen: Boolean, isSelected: B
             .hoverable(interactions)
             .clickable(onClickLabel = "Open") { row.open?.let(send) }
             .semantics {
-                contentDescription = "Log ${row.name}"
+                contentDescription = row.name
                 selected = isOpen
             },
     ) {

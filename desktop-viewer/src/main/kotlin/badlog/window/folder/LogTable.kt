@@ -63,7 +63,7 @@ private fun Table(library: Library, settings: SettingsStore, shown: ShownLogs, a
     ) {
         WideTableView(
             table,
-            sendTo(library, list, actions, actions.openInGraphs),
+            sendTo(library, actions, list = list),
             list,
             selected,
             library.state.rowOf(shown.open),
@@ -93,24 +93,29 @@ internal fun LogListPlace(list: LazyListState, table: Table, selected: String?) 
     KeepInSight(list, selected, keys.indexOf(selected))
 }
 
-/** Returns the function that performs actions on the listed logs; [open] opens one. After sorting, [list] is at its top. */
-internal fun sendTo(library: Library, list: LazyListState, actions: LibraryActions, open: (LogEntry) -> Unit): (Action) -> Unit =
-    { action ->
-        when (action) {
-            is FolderAction.Sort -> {
-                library.change { sorted(action.column) }
-                list.requestScrollToItem(0)
-            }
-
-            is FolderAction.Check -> actions.check(Path.of(action.path))
-
-            is FolderAction.Open -> library.state.entries.find {
-                it.path == action.path
-            }?.let(if (action.showsFinding) actions.openFindings else open)
-
-            else -> Unit
+/** Returns the function that performs actions on the listed logs, and [others]; [open] opens one. After sorting, [list] is at its top. */
+internal fun sendTo(
+    library: Library,
+    actions: LibraryActions,
+    open: (LogEntry) -> Unit = actions.openInGraphs,
+    list: LazyListState? = null,
+    others: (Action) -> Unit = {},
+): (Action) -> Unit = { action ->
+    when (action) {
+        is FolderAction.Sort -> {
+            library.change { sorted(action.column) }
+            list?.requestScrollToItem(0)
         }
+
+        is FolderAction.Check -> actions.check(Path.of(action.path))
+
+        is FolderAction.Open -> library.state.entries.find {
+            it.path == action.path
+        }?.let(if (action.showsFinding) actions.openFindings else open)
+
+        else -> others(action)
     }
+}
 
 private fun onTableKey(library: Library, key: Key, actions: LibraryActions): Boolean {
     val state = library.state

@@ -44,6 +44,7 @@ import badlog.window.theme.Tip
  *
  * @param row the name of its row for screen readers, which they say if a press on it has an effect of its own.
  * @param isHovered whether the pointer is over its row.
+ * @param takesFocus whether keys reach it; otherwise they move from row to row.
  */
 @Composable
 internal fun CellView(
@@ -54,19 +55,22 @@ internal fun CellView(
     isHovered: Boolean,
     send: (Action) -> Unit,
     open: Action? = cell.open,
+    takesFocus: Boolean = false,
 ) {
     val palette = LocalPalette.current
     val pressed = if (open == null) {
         Modifier
     } else {
-        // It takes no keyboard focus, because keys move from row to row.
         Modifier
-            .focusProperties { canFocus = false }
+            .focusProperties { canFocus = takesFocus }
             .clickable(role = Role.Button) { send(open) }
             .semantics { contentDescription = "${cell.severity?.let { "${it.word}: " }.orEmpty()}${cell.text} · $row" }
     }
     val content = @Composable {
         Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+            cell.isUnfolded?.let { isOpen ->
+                Icon(if (isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
+            }
             val severity = cell.severity
             val share = cell.share
             if (share != null) ShareBar(share, severity?.let(palette::findingColor) ?: palette.muted)

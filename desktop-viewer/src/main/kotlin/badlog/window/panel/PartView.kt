@@ -25,12 +25,15 @@ import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
+import badlog.viewer.panel.Card
+import badlog.viewer.panel.Cards
 import badlog.viewer.panel.Choice
 import badlog.viewer.panel.Code
 import badlog.viewer.panel.Field
@@ -71,6 +74,8 @@ internal fun PartView(part: Part, send: (Action) -> Unit, modifier: Modifier = M
         is Rows -> for (row in part.rows) PartView(row, send)
         is PanelRow -> RowView(part, send)
         is Value -> ValueView(part, send)
+        is Cards -> CardsView(part, send)
+        is Card -> CardView(part, send, modifier)
         is Table -> TableView(part, send)
         is Picture -> PictureView(part)
     }
@@ -98,11 +103,12 @@ private fun ParagraphView(paragraph: Paragraph, send: (Action) -> Unit) {
 internal fun ToneText(paragraph: Paragraph, modifier: Modifier = Modifier) {
     val palette = LocalPalette.current
     val color = when (paragraph.tone) {
-        Tone.BODY -> palette.text
+        Tone.BODY, Tone.TITLE -> palette.text
         Tone.MUTED -> palette.muted
         Tone.ALERT -> palette.error
     }
-    Text(paragraph.text, modifier, color, fontSize = 12.sp)
+    val isLarge = paragraph.tone == Tone.TITLE
+    Text(paragraph.text, modifier, color, fontSize = if (isLarge) 20.sp else 12.sp, fontWeight = FontWeight.SemiBold.takeIf { isLarge })
 }
 
 /** Shows [buttons]; with [areIcons], it shows only their icons. */
@@ -158,6 +164,7 @@ private fun FoldTitle(fold: Fold, send: (Action) -> Unit) {
         Modifier
             .fillMaxWidth()
             .clickable(role = Role.Button) { send(fold.toggle) }
+            .semantics { stateDescription = if (fold.isOpen) "expanded" else "collapsed" }
             .padding(start = 8.dp, end = 14.dp, top = 8.dp, bottom = 4.dp),
         Arrangement.spacedBy(4.dp),
         Alignment.CenterVertically,

@@ -54,6 +54,7 @@ private fun PlainRow(row: PanelRow, send: (Action) -> Unit) {
         Modifier.inspectorLine(row.name, row.isCurrent, gap = 5.dp) { row.open?.let(send) },
         horizontalArrangement = Arrangement.spacedBy(8.dp),
     ) {
+        row.check?.let { CheckView(it, send) }
         if (row.severity != null || row.lines.isNotEmpty()) {
             Column(Modifier.width(62.dp)) {
                 row.severity?.let { SeverityBadge(it, it.word) }

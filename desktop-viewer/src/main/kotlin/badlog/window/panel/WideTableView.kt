@@ -67,7 +67,7 @@ import badlog.viewer.panel.Column as PanelColumn
  *
  * @param selected the key of the selected row; null for none.
  * @param open the key of the row with the open log; null for none.
- * @param onSelect called with the row that a person presses.
+ * @param onSelect called with the row that a person presses; null if a press opens the row.
  */
 @Composable
 internal fun WideTableView(
@@ -76,18 +76,17 @@ internal fun WideTableView(
     list: LazyListState = rememberLazyListState(),
     selected: String? = null,
     open: String? = null,
-    onSelect: (TableRow) -> Unit = {},
+    onSelect: ((TableRow) -> Unit)? = null,
 ) {
     val sideways = rememberScrollState()
     BoxWithConstraints(Modifier.fillMaxSize()) {
-        val checks = if (table.rows.any { it.checks.isNotEmpty() }) CHECKS else 0.dp
-        val widths = remember(table, maxWidth) { widthsOf(table, maxWidth - checks) }
-        Column(Modifier.fillMaxSize().horizontalScroll(sideways).width(checks + widths.reduce(Dp::plus))) {
-            TableHead(table, checks, widths, send)
+        val widths = remember(table, maxWidth) { widthsOf(table, maxWidth) }
+        Column(Modifier.fillMaxSize().horizontalScroll(sideways).width(widths.checks + widths.columns.reduce(Dp::plus))) {
+            TableHead(table, widths, send)
             HorizontalDivider()
             LazyColumn(Modifier.weight(1f).padding(bottom = 8.dp), list) {
                 rows(table) { row ->
-                    RowOfCells(row, table.columns, checks, widths, row.key == open, row.key == selected, { onSelect(row) }, send)
+                    RowOfCells(row, table, widths, row.key == open, row.key == selected, onSelect?.let { { it(row) } }, send)
                 }
             }
         }
@@ -104,20 +103,23 @@ internal fun LazyListScope.rows(table: Table, row: @Composable (TableRow) -> Uni
     }
 }
 
-/** The width of the check boxes. */
-private val CHECKS: Dp = 34.dp
+/** The widths of the check boxes, and of each column. */
+private class TableWidths(val checks: Dp, val columns: List<Dp>)
 
-/** Returns the widths of the columns of [table], in the width [available]: enough for their texts, and in proportion for the rest. */
-private fun widthsOf(table: Table, available: Dp): List<Dp> {
-    val rows = table.groups.flatMap { it.rows }
+/** Returns the widths in [table], in the width [available]: enough for the texts of its columns, and in proportion for the rest. */
+private fun widthsOf(table: Table, available: Dp): TableWidths {
+    val rows = table.rows
+    val checks = if (rows.any { it.checks.isNotEmpty() }) CHECKS else 0.dp
     val needed = table.columns.mapIndexed { i, column ->
         val letters = rows.maxOfOrNull { row -> row.cells[i].maxOfOrNull(::lettersOf) ?: 0 } ?: 0
         maxOf(column.title.lines().maxOf { it.length } + 2, letters.coerceAtMost(MAX_LETTERS)) * (if (column.isNumber) DIGIT else LETTER) +
             2 * GAP
     }
-    val share = maxOf(1f, (available).value / needed.sum())
-    return needed.map { (it * share).dp }
+    val share = maxOf(1f, (available - checks).value / needed.sum())
+    return TableWidths(checks, needed.map { (it * share).dp })
 }
+
+private val CHECKS: Dp = 34.dp
 
 private fun lettersOf(cell: Cell) = cell.text.length + when {
     cell.preview != null -> PREVIEW_LETTERS
@@ -127,9 +129,9 @@ private fun lettersOf(cell: Cell) = cell.text.length + when {
 
 /** The titles of the columns of [table]; a click sorts. */
 @Composable
-private fun TableHead(table: Table, checks: Dp, widths: List<Dp>, send: (Action) -> Unit) {
+private fun TableHead(table: Table, widths: TableWidths, send: (Action) -> Unit) {
     val palette = LocalPalette.current
-    Row(Modifier.fillMaxWidth().background(palette.raised).padding(start = checks)) {
+    Row(Modifier.fillMaxWidth().background(palette.raised).padding(start = widths.checks)) {
         table.columns.forEachIndexed { i, column ->
             val sort = column.sort
             val sorts = if (sort == null) {
@@ -141,7 +143,7 @@ private fun TableHead(table: Table, checks: Dp, widths: List<Dp>, send: (Action)
                     .semantics { contentDescription = "Sort by ${column.hint.ifEmpty { column.title }}" }
             }
             Row(
-                Modifier.width(widths[i]).then(sorts).padding(horizontal = GAP.dp, vertical = 6.dp),
+                Modifier.width(widths.columns[i]).then(sorts).padding(horizontal = GAP.dp, vertical = 6.dp),
                 column.arrangement,
                 Alignment.CenterVertically,
             ) {
@@ -173,21 +175,18 @@ private fun GroupTitle(group: RowGroup) {
     }
 }
 
-/** Shows [row] of a table with [columns]. A press selects it, a double click opens it. */
+/** Shows [row] of [table]. A press selects it and a double click opens it; without [onSelect], a press opens it. */
 @Composable
 private fun RowOfCells(
     row: TableRow,
-    columns: List<PanelColumn>,
-    checks: Dp,
-    widths: List<Dp>,
+    table: Table,
+    widths: TableWidths,
     isOpen: Boolean,
     isSelected: Boolean,
-    onSelect: () -> Unit,
+    onSelect: (() -> Unit)?,
     send: (Action) -> Unit,
 ) {
     val palette = LocalPalette.current
-    val select by rememberUpdatedState(onSelect)
-    val open by rememberUpdatedState { row.open?.let(send) ?: Unit }
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
     Row(
@@ -195,21 +194,13 @@ private fun RowOfCells(
             .fillMaxWidth()
             .background(rowColor(palette, isSelected, isHovered))
             .hoverable(interactions)
-            .pointerInput(Unit) { detectTapGestures(onPress = { select() }, onDoubleTap = { open() }) }
-            .semantics {
-                contentDescription = "Log ${row.name}"
-                selected = isSelected
-                onClick("Open") {
-                    open()
-                    true
-                }
-            },
+            .then(if (onSelect == null) pressed(row, send) else selectable(row, isSelected, onSelect, send)),
     ) {
-        Column(Modifier.width(checks).padding(start = minOf(checks, 4.dp))) {
+        Column(Modifier.width(widths.checks).padding(start = 4.dp)) {
             for (check in row.checks) LineOf(Arrangement.Start) { CheckView(check, send) }
         }
-        columns.forEachIndexed { i, column ->
-            Column(Modifier.width(widths[i]).padding(horizontal = GAP.dp)) {
+        table.columns.forEachIndexed { i, column ->
+            Column(Modifier.width(widths.columns[i]).padding(horizontal = GAP.dp)) {
                 for (cell in row.cells[i]) {
                     LineOf(column.arrangement, cell.extreme) {
                         val color = if (row.isMuted) {
@@ -220,13 +211,34 @@ private fun RowOfCells(
                             palette.text
                         }
                         val weight = if (i == 0) FontWeight.SemiBold else FontWeight.Normal
-                        // A press on the title selects the row, like one beside it.
-                        CellView(cell, row.name, color, weight, isHovered, send, cell.open.takeIf { i > 0 })
+                        // A press on the title has the effect of one beside it.
+                        CellView(cell, row.name, color, weight, isHovered, send, cell.open.takeIf { i > 0 }, takesFocus = onSelect == null)
                     }
                 }
             }
         }
     }
+}
+
+@Composable
+private fun selectable(row: TableRow, isSelected: Boolean, onSelect: () -> Unit, send: (Action) -> Unit): Modifier {
+    val select by rememberUpdatedState(onSelect)
+    val open by rememberUpdatedState { row.open?.let(send) ?: Unit }
+    return Modifier
+        .pointerInput(Unit) { detectTapGestures(onPress = { select() }, onDoubleTap = { open() }) }
+        .semantics {
+            contentDescription = row.name
+            selected = isSelected
+            onClick("Open") {
+                open()
+                true
+            }
+        }
+}
+
+private fun pressed(row: TableRow, send: (Action) -> Unit): Modifier {
+    val open = row.open ?: return Modifier.semantics { contentDescription = row.name }
+    return Modifier.clickable(role = Role.Button) { send(open) }.semantics { contentDescription = row.name }
 }
 
 @Composable

@@ -126,7 +126,7 @@ internal fun AcrossPane(
             when {
                 source.topics.isEmpty() -> PanelHint("Open a log, and check others to compare it with.")
                 state.topics.isEmpty() -> PanelHint("Select topics; each gets a column for each statistic.")
-                else -> WideTableView(remember(logs) { logs.table() }, send, open = drawn.firstOrNull()?.file?.toString())
+                else -> WideTableView(remember(logs) { logs.table() }, send, open = drawn.firstOrNull()?.file?.toString()) {}
             }
         }
     }

@@ -51,7 +51,7 @@ internal fun FindingsPanel(
             open.times,
             changes.differences,
             names,
-            todo = list?.let { ListedTasks(it, open.file.fileName.toString()) },
+            todo = list?.let { ListedTasks(it, open.file.fileName.toString(), todo.author) },
             details = details,
             isComparing = isComparing,
             unfolded = view.unfolded,

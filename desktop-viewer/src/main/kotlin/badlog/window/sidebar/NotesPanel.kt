@@ -49,7 +49,7 @@ internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, open: OpenRecording, 
         val list = todo.state.list.takeIf { todo.state.folder != null }
         val parts = remember(open, notes.all, list, draft == null) {
             val file = open.file.fileName.toString()
-            notesPanel(notes.all, open.times, file, list?.let { ListedTasks(it, file) }, isWriting = draft != null)
+            notesPanel(notes.all, open.times, file, list?.let { ListedTasks(it, file, todo.author) }, isWriting = draft != null)
         }
         PanelView(parts, goal = null, send, Modifier.weight(1f))
     }

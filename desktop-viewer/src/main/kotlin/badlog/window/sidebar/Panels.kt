@@ -1,6 +1,7 @@
 package badlog.window.sidebar
 
 import androidx.compose.ui.graphics.vector.ImageVector
+import badlog.viewer.state.Form
 import badlog.window.state.StateHolder
 import badlog.window.theme.Icons
 
@@ -15,6 +16,7 @@ import badlog.window.theme.Icons
  * @property main the content of the middle.
  * @property front the visible part, if the window is too narrow for more than one.
  * @property help whether the help is open above everything.
+ * @property form the form that is open above everything; null for none.
  * @property hidden the panels that were open beside the graphs before a key hid them; null if none are hidden.
  */
 internal data class Panels(
@@ -25,6 +27,7 @@ internal data class Panels(
     val main: MainView = MainView.GRAPHS,
     val front: FrontPart = FrontPart.GRAPHS,
     val help: Boolean = false,
+    val form: Form? = null,
     val hidden: Panels? = null,
 ) {
     /** Shows [view] in the middle, or the graphs if it is already shown. */

@@ -11,7 +11,8 @@ import badlog.files.LogFile
 import badlog.files.writeAtomically
 import badlog.rules.folder.FolderRules
 import badlog.signals.match.localSecondOf
-import badlog.viewer.state.TodoRequest
+import badlog.viewer.panel.folder.ListedTodo
+import badlog.viewer.state.FolderRequest
 import badlog.viewer.todo.FaultTask
 import badlog.viewer.todo.FoundFault
 import badlog.viewer.todo.TodoDeed
@@ -56,6 +57,10 @@ internal class FolderTodo(
 ) : StateHolder<TodoState>(TodoState()) {
     /** The name of the person who changes the list here. */
     val author: String get() = settings.state.author.ifBlank { System.getProperty("user.name").orEmpty() }.ifBlank { "somebody" }
+
+    /** The list as its panels show it. */
+    val listed: ListedTodo
+        get() = with(state) { ListedTodo(list, checklist, folder != null, files.checklist.isNotEmpty(), author) }
 
     /** Follows the open folder, until cancelled. */
     suspend fun run() = snapshotFlow { library.state.folder }.collectLatest { path ->
@@ -124,19 +129,15 @@ internal class FolderTodo(
     }
 
     /** Remembers that the person at this computer is [name], unless a person is known already. */
-    fun rememberAuthor(name: String) {
+    private fun rememberAuthor(name: String) {
         if (name.isNotBlank() && name != author && settings.state.author.isBlank()) settings.change { copy(author = name.trim()) }
     }
 
     /** Performs [request]. */
-    fun perform(request: TodoRequest) = when (request) {
-        is TodoRequest.Write -> write(request.task, request.deed)
-        is TodoRequest.AskDone -> ask(TodoSheet.Done(request.item))
-        is TodoRequest.AskPerson -> ask(TodoSheet.Assign(request.item))
+    fun perform(request: FolderRequest.WriteTodo) {
+        request.by?.let(::rememberAuthor)
+        write(request.subject, request.deed, request.by ?: author)
     }
-
-    /** Opens [sheet]; null closes the open one. */
-    fun ask(sheet: TodoSheet?) = change { copy(sheet = sheet) }
 
     /** The list and the checklist as Markdown. */
     fun markdown(): String = state.list.toMarkdown(state.lines)

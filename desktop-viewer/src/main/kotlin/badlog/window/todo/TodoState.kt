@@ -4,7 +4,6 @@ import badlog.catalog.todo.TodoFiles
 import badlog.catalog.todo.TodoFolder
 import badlog.viewer.todo.CheckedLine
 import badlog.viewer.todo.TodoChange
-import badlog.viewer.todo.TodoItem
 import badlog.viewer.todo.TodoList
 import badlog.viewer.todo.TodoLog
 
@@ -16,7 +15,6 @@ import badlog.viewer.todo.TodoLog
  * @property written the changes by this window since then.
  * @property logs the logs of the folder, with their findings.
  * @property ofRules the lines of the checklist that come from the folder's rules.
- * @property sheet the dialog that is open; null for none.
  */
 internal data class TodoState(
     val folder: TodoFolder? = null,
@@ -24,7 +22,6 @@ internal data class TodoState(
     val written: List<TodoChange> = emptyList(),
     val logs: List<TodoLog> = emptyList(),
     val ofRules: List<String> = emptyList(),
-    val sheet: TodoSheet? = null,
 ) {
     /** The list. */
     val list: TodoList by lazy { TodoList.of(files.changes + written, logs) }
@@ -40,19 +37,4 @@ internal data class TodoState(
         val ids = read.changes.mapTo(HashSet()) { it.id }
         return copy(files = read, ofRules = ofRules, written = written.filter { it.id !in ids })
     }
-}
-
-/** A dialog about the list. */
-internal sealed interface TodoSheet {
-    /** Asks how [item] was done. */
-    data class Done(val item: TodoItem) : TodoSheet
-
-    /** Asks who takes [item] on. */
-    data class Assign(val item: TodoItem) : TodoSheet
-
-    /** Asks for a new item. */
-    data object New : TodoSheet
-
-    /** Asks which match is the next one. */
-    data object Next : TodoSheet
 }

@@ -4,6 +4,7 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onLast
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
@@ -61,30 +62,22 @@ class BatteriesPaneSpec : FunSpec({
         }
     }
 
-    test("the batteries are listed with advice, and a click shows the matches of one") {
-        onFolder { _, _ ->
-            onNodeWithText("Use A1 next").assertExists()
-            onNodeWithText("Retire B2. Its resistance is 30.0 ± 0.3 mΩ, 49 % more than that of A1 (20.1 ± 0.3 mΩ).").assertExists()
-            onNodeWithText("20.1 ± 0.3 mΩ").assertExists()
-            onAllNodesWithText("Qualification 4").fetchSemanticsNodes().size shouldBe 0
-            onNodeWithContentDescription("Battery A1").performClick()
-            onNodeWithText("Qualification 4").assertExists()
-            onNodeWithText("20.2 ± 0.4 mΩ").assertExists()
-        }
-    }
-
-    test("a battery typed beside a match is stored beside its log, and can be removed") {
+    test("the batteries are listed, a click shows the matches of one, and a battery typed beside a match is stored beside its log") {
         onFolder { viewer, folder ->
+            onNodeWithText("Use A1 next").assertExists()
+            onAllNodesWithText("Qualification 3").fetchSemanticsNodes().size shouldBe 0
             onNodeWithContentDescription("Battery Unknown").performClick()
-            onNodeWithContentDescription("Battery of Qualification 3").performClick()
-            onNodeWithContentDescription("Name of the battery").performTextInput("C3")
-            onNodeWithContentDescription("Name of the battery").performKeyInput { pressKey(Key.Enter) }
+            onNodeWithContentDescription("Name… · Qualification 3").performClick()
+            onNodeWithContentDescription(NAME).performTextInput("C3")
+            onNodeWithContentDescription(NAME).performKeyInput { pressKey(Key.Enter) }
             waitFor { viewer.batteries.state.names == listOf("A1", "B2", "C3") }
             Files.readString(folder.resolve("batteries.toml")) shouldBe "[used]\n\"q3.bag\" = \"C3\"\n"
             onNodeWithContentDescription("Battery C3").performClick()
-            onNodeWithContentDescription("Battery of Qualification 3").performClick()
-            onNodeWithText("As the log says").performClick()
+            onNodeWithContentDescription("Change… · Qualification 3").performClick()
+            // The form is above the table.
+            onAllNodesWithText("B2").onLast().performClick()
             waitFor { viewer.batteries.state.names == listOf("A1", "B2") }
+            Files.readString(folder.resolve("batteries.toml")) shouldBe "[used]\n\"q3.bag\" = \"B2\"\n"
         }
     }
 
@@ -97,3 +90,5 @@ class BatteriesPaneSpec : FunSpec({
         }
     }
 })
+
+private const val NAME = "Name of the battery; as the log says if empty"

@@ -31,7 +31,7 @@ class TourSpec : FunSpec({
             window.press(KeyEvent.VK_T)
             window.awaitState("what the rules found") { viewer -> viewer.library.state.entries.all { it.found != null || it.isGray } }
             val happened = window.look { viewer ->
-                viewer.library.state.entries.first { it.fileName == "qualification-42.bag" }.let { "error: ${foundText(it)} · ${it.fileName}" }
+                viewer.library.state.entries.first { it.fileName == "qualification-42.bag" }.let { "error: ${foundText(it)} · Log ${it.fileName}" }
             }
             window.awaitRest(happened)
             window.point(happened, 0.5, 0.6)

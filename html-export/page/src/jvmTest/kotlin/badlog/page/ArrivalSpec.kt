@@ -4,7 +4,6 @@ import badlog.exporter.EmptyPage
 import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
-import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -124,20 +123,19 @@ internal class ArrivalSpec : PageSpec({
         onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
             openFolder()
             press("i")
-            texts(".pit h2").single() shouldContain "57"
+            texts(".pit-title").single() shouldContain "57"
             element(".log-table").isDisplayed shouldBe false
             script(putIntoFolder(samples("qualification-42.bag") + ("practice.bag" to before.getValue("practice.bag"))))
-            await("the next match") { texts(".pit h2").singleOrNull()?.contains("42") == true && "Browned out at" in texts("#pit-last strong").single() }
+            await("the next match") { texts(".pit-title").singleOrNull()?.contains("42") == true && "Browned out at" in texts(".is-large strong").single() }
             news() shouldBe ""
             (script("return document.querySelector('.pit [role=status]').textContent") as String) shouldStartWith "Qualification 42 arrived: 3 errors"
-            texts("#pit-last b").single() shouldStartWith "Next: "
-            texts("#pit-last span").shouldNotBeEmpty()
-            texts(".pit-battery").first() shouldStartWith "Battery: use "
+            texts(".is-large span").last() shouldStartWith "Next: "
+            texts("div.big-card b").first() shouldStartWith "Battery: use "
             texts(".pit-before b").size shouldBe 1
             for (width in listOf(1366, 1920)) {
                 show(Screen(width, if (width == 1366) 768 else 1080))
-                number("return parseFloat(getComputedStyle(document.querySelector('#pit-last strong')).fontSize)") shouldBeGreaterThan 55.0
-                number("return parseFloat(getComputedStyle(document.querySelector('#pit-last span')).fontSize)") shouldBeGreaterThan 27.0
+                number("return parseFloat(getComputedStyle(document.querySelector('.is-large strong')).fontSize)") shouldBeGreaterThan 55.0
+                number("return parseFloat(getComputedStyle(document.querySelector('.is-large span')).fontSize)") shouldBeGreaterThan 27.0
                 isWithinScreen() shouldBe true
                 keepScreenshot("pit-$width")
             }
@@ -149,12 +147,12 @@ internal class ArrivalSpec : PageSpec({
             isWithinScreen() shouldBe true
             keepScreenshot("phone-pit")
             show(laptop)
-            click("#pit-last")
+            click(".is-large")
             awaitLog("Qualification 42")
             await("its evidence") { elements(".evidence").any { it.isDisplayed } }
             click("#go-back")
             await("the pit view") { elements(".pit").any { it.isDisplayed } }
-            focused() shouldBe "pit-last"
+            script("return document.activeElement.matches('.is-large')") shouldBe true
             press("i")
             element(".log-table").isDisplayed shouldBe true
         }

@@ -88,9 +88,9 @@ internal class OpenedFolderSpec : PageSpec({
                 column("MATCH")[row] shouldBe "Q42 · Mill Creek"
                 column("BATTERY")[row] shouldBe "6.73 V"
                 column("FINDINGS")[row] shouldStartWith "errorBrowned out at 1:3"
-                texts(".battery-table tbody th") shouldContainExactly listOf("B3, 2019", "B9, 2023")
+                texts(".battery-table tbody .battery") shouldContainExactly listOf("B3, 2019", "B9, 2023")
                 // B3 browned out in qualification 42.
-                texts(".battery-table p").first() shouldStartWith "Use B9, 2023 next. "
+                texts(".battery-table h3") shouldBe listOf("Use B9, 2023 next")
                 seriousForReaders() shouldBe emptyList()
                 keepScreenshot("folder")
                 show(Screen.WIDE.copy(isDark = true))

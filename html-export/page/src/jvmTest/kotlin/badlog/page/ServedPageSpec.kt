@@ -145,7 +145,7 @@ internal class ServedPageSpec : PageSpec({
             onServedPage(address) {
                 awaitList()
                 press("i")
-                texts("#pit-last strong") shouldContainExactly listOf("Not read yet")
+                texts(".is-large strong") shouldContainExactly listOf("Not read yet")
                 press("i")
                 for (name in UNLIKE_MATCHES.keys) click("[aria-label='Compare $name']")
                 click("#compare-logs")

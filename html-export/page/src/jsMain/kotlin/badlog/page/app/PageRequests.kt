@@ -8,8 +8,8 @@ import badlog.page.panel.CursorPanel
 import badlog.page.panel.ModulesPanel
 import badlog.page.video.VideoPanel
 import badlog.viewer.state.FindingRequest
+import badlog.viewer.state.FolderRequest
 import badlog.viewer.state.Request
-import badlog.viewer.state.TodoRequest
 
 /** Carries out the requests that actions make to the page. */
 internal class PageRequests(
@@ -28,7 +28,7 @@ internal class PageRequests(
         is FindingRequest -> onFinding(request)
 
         // A page cannot write beside the logs, so it has no team's list.
-        is TodoRequest -> Unit
+        is FolderRequest -> Unit
 
         is Request.ChangeNote -> notes.edit(request.note)
 

@@ -15,7 +15,10 @@ import badlog.page.view.Palette
 import badlog.rules.RuleSet
 import badlog.rules.toJson
 import badlog.viewer.input.ScreenKey
+import badlog.viewer.panel.folder.batteriesPanel
 import badlog.viewer.panel.folder.logTable
+import badlog.viewer.shown.battery.BatteryAdvice
+import badlog.viewer.shown.battery.BatterySeason
 import badlog.viewer.shown.folder.Arrivals
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.shown.folder.Listing
@@ -62,8 +65,8 @@ internal class FolderScreen(
     private val cache = SummaryCache(rules.toJson())
     private val reading = FolderReading(rules, cache, ::nextToRead, ::take) { unread += it.path }
     private val statistics = LogStatistics()
-    private val batteries = BatteryTable()
-    private val pit = PitView { openWorst(it) }
+    private val batteries = element("section", "entries battery-table card") { setAttribute("aria-label", "Batteries") }
+    private var unfolded = emptyMap<String, Boolean>()
     private var timer = 0
     private var isShown = false
     private var isCacheRead = false
@@ -91,7 +94,8 @@ internal class FolderScreen(
 
     // No picture of the list needs colors.
     private val nodes = PartNodes(Palette(), ::act)
-    private val table = element("div", "log-table card")
+    private val pit = PitView(nodes)
+    private val table = element("div", "entries log-table card")
     private var limit = PAGE
 
     val element: HTMLElement = element("div", "start folder-logs") {
@@ -127,7 +131,7 @@ internal class FolderScreen(
         }
         nothing = add("p", "nothing-found")
         appendChild(statistics.element)
-        appendChild(batteries.element)
+        appendChild(batteries)
         appendChild(pit.element)
     }
 
@@ -339,6 +343,8 @@ internal class FolderScreen(
             // It may have been removed since it was listed.
             is FolderAction.Open -> return known[action.path]?.let { onOpen(it, emptyList(), action.showsFinding) } ?: Unit
 
+            is Action.Unfold -> unfolded += action.fold to action.isOpen
+
             else -> Unit
         }
         show()
@@ -350,7 +356,8 @@ internal class FolderScreen(
     }
 
     private fun show() {
-        if (isPit) pit.show(listing.entries, willRead = { it.isUnread && it.path !in listing.recording })
+        val seasons = BatterySeason.of(listing.entries)
+        if (isPit) pit.show(listing.entries, BatteryAdvice.of(seasons), willRead = { it.isUnread && it.path !in listing.recording })
         orders.selectedIndex = 2 * listing.column.ordinal + if (listing.isDescending) 0 else 1
         table.patch(nodes.of(listOf(logTable(listing, checked, limit))))
         val left = listing.rows.size - limit
@@ -358,7 +365,8 @@ internal class FolderScreen(
         more.textContent = "Show more (${countText(left)} left)"
         val unread = listing.entries.count { it.isUnread }
         progress.showText(if (unread == 0) listing.count else "${countOf(listing.size - unread, listing.size, "log")} read")
-        batteries.show(listing.entries)
+        batteries.isHidden = seasons.none { it.battery != null }
+        batteries.patch(nodes.of(batteriesPanel(seasons, unfolded)))
         statistics.show(checked.mapNotNull(known::get))
         compare.isDisabled = checked.size < 2
         nothing.isHidden = listing.visible.isNotEmpty()

@@ -7,7 +7,10 @@ import badlog.page.view.Palette
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
+import badlog.viewer.panel.Card
+import badlog.viewer.panel.Cards
 import badlog.viewer.panel.Cell
+import badlog.viewer.panel.Check
 import badlog.viewer.panel.Choice
 import badlog.viewer.panel.Code
 import badlog.viewer.panel.Column
@@ -24,6 +27,7 @@ import badlog.viewer.panel.Row
 import badlog.viewer.panel.Rows
 import badlog.viewer.panel.Table
 import badlog.viewer.panel.TableRow
+import badlog.viewer.panel.Tone
 import badlog.viewer.panel.Trouble
 import badlog.viewer.panel.Value
 import badlog.viewer.state.Action
@@ -65,6 +69,17 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         is Value -> value(part)
         is Table -> table(part)
         is Picture -> picture(part)
+        is Cards -> Node("div", part.className, key = part.key, children = part.cards.map(::card))
+        is Card -> card(part)
+    }
+
+    private fun card(card: Card): Node {
+        val texts = listOf("b" to card.title, "strong" to card.headline) + card.lines.map { "span" to it }
+        val children = texts.filter { it.second.isNotEmpty() }.map { (tag, text) -> Node(tag, text = text) }
+        val look = "big-card has-${card.severity?.word}" + if (card.isLarge) " is-large" else ""
+        val open = card.open ?: return Node("div", look, key = card.key, children = children)
+        val attributes = mapOf("title" to card.hint, "data-path" to card.key)
+        return Node("button", look, key = card.key, attributes = attributes, press = { send(open) }, children = children)
     }
 
     private fun heading(heading: Heading) = Node(
@@ -78,7 +93,8 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
     )
 
     private fun paragraph(paragraph: Paragraph): Node {
-        val button = paragraph.button ?: return Node("p", paragraph.className, paragraph.text, paragraph.key)
+        val tag = if (paragraph.tone == Tone.TITLE) "h3" else "p"
+        val button = paragraph.button ?: return Node(tag, paragraph.className, paragraph.text, paragraph.key)
         val parts = listOf(Node("span", text = "${paragraph.text} "), textButton(button))
         return Node("p", paragraph.className, key = paragraph.key, children = parts)
     }
@@ -168,7 +184,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
     }
 
     private fun row(row: Row): Node {
-        val badge = listOfNotNull(row.severity?.let(::badge))
+        val badge = listOfNotNull(row.check?.let(::check), row.severity?.let(::badge))
         val parts = if (row.isFramed) framed(row) else plain(row)
         return Node(
             "li",
@@ -212,10 +228,6 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
     }
 
     private fun tableRow(row: TableRow, columns: List<Column>, checks: List<Node>): Node {
-        val boxes = row.checks.map { check ->
-            val attributes = mapOf("type" to "checkbox", "aria-label" to check.label, "checked" to "".takeIf { check.isOn })
-            Node("input", attributes = attributes, on = mapOf("change" to { _: Event -> send(check.action) }))
-        }
         val cells = columns.mapIndexed { i, column ->
             val cells = row.cells[i]
             val only = cells.singleOrNull()
@@ -234,8 +246,13 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
             key = row.key,
             attributes = mapOf("data-path" to row.key.ifEmpty { null }),
             on = pressed(row.open),
-            children = checks.map { Node("td", "checks", children = boxes) } + cells,
+            children = checks.map { Node("td", "checks", children = row.checks.map(::check)) } + cells,
         )
+    }
+
+    private fun check(check: Check): Node {
+        val attributes = mapOf("type" to "checkbox", "aria-label" to check.label, "checked" to "".takeIf { check.isOn })
+        return Node("input", attributes = attributes, on = mapOf("change" to { _: Event -> send(check.action) }))
     }
 
     private fun cell(cell: Cell, className: String = ""): Node {
@@ -244,7 +261,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
             Node("progress", "is-${cell.severity?.word}", attributes = mapOf("value" to "$it", "aria-hidden" to "true"))
         }
         // Within its own direction, a slash at the beginning of a name stays there.
-        val text = cell.open?.let { textButton(Button(cell.text, it, hint = cell.hint)) }
+        val text = cell.open?.let { textButton(Button(cell.text, it, hint = cell.hint), cell.isUnfolded) }
             ?: Node("span", className, attributes = mapOf("title" to cell.ownHint), children = listOf(Node("bdi", text = cell.text)))
         return Node("div", children = listOfNotNull(swatch, bar ?: cell.severity?.let(::badge), text) + cell.tools.map(::iconButton))
     }
@@ -275,8 +292,9 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         return Node("button", "event-go", text, attributes = mapOf("title" to line.hint), press = { send(open) })
     }
 
-    private fun textButton(button: Button): Node {
-        val attributes = mapOf("title" to button.hint.takeIf { it != button.label }) + button.state
+    private fun textButton(button: Button, isUnfolded: Boolean? = null): Node {
+        val hint = button.hint.takeIf { it != button.label }
+        val attributes = mapOf("title" to hint, "aria-expanded" to isUnfolded?.toString()) + button.state
         return Node("button", "text-button", button.label, attributes = attributes, press = { send(button.action) })
     }
 

@@ -35,6 +35,9 @@ enum class Tone {
 
     /** The text needs a person's attention. */
     ALERT,
+
+    /** The text is the title of what follows, in large letters. */
+    TITLE,
 }
 
 /**
@@ -152,6 +155,7 @@ class Rows(
  * @property isFramed whether its lines belong together.
  * @property isCurrent whether a person went to it.
  * @property open the effect of a press on it; null for none.
+ * @property check its check box; null for none.
  * @property tools its buttons.
  * @property menu the entries of its context menu.
  * @property below further facts about it.
@@ -166,9 +170,32 @@ class Row(
     val isFramed: Boolean = false,
     val isCurrent: Boolean = false,
     val open: Action? = null,
+    val check: Check? = null,
     val tools: List<Button> = emptyList(),
     val menu: List<Button> = emptyList(),
     val below: List<Part> = emptyList(),
+) : Part
+
+/** Cards beside each other; in a narrow place, below each other. */
+class Cards(override val key: String, val cards: List<Card>) : Part
+
+/**
+ * A text in large letters that is read from two meters away, in the color of its [severity].
+ *
+ * @property headline its most important words; empty for none.
+ * @property isLarge whether [headline] is twice as large as the rest.
+ * @property open the effect of a press on it; null for none.
+ * @property hint the effect of a press on it, in words.
+ */
+class Card(
+    override val key: String,
+    val title: String,
+    val headline: String = "",
+    val lines: List<String> = emptyList(),
+    val severity: Severity? = null,
+    val isLarge: Boolean = false,
+    val open: Action? = null,
+    val hint: String = "",
 ) : Part
 
 /**

@@ -85,6 +85,7 @@ class Check(val label: String, val isOn: Boolean, val action: Action)
  * @property hint its value to the last digit, or an explanation.
  * @property unit its unit, which a table below a graph does not repeat; `ul` for none.
  * @property open the effect of a press on it; null for the effect of the row.
+ * @property isUnfolded whether the rows below belong to it and are shown; null if there are none.
  * @property severity its severity, in color, and without a [share] also as a shape and word; null if it does not matter.
  * @property share the length of a bar beside it, 0 to 1; null for none.
  * @property extreme whether it is the smallest or largest of its column; null for neither.
@@ -97,6 +98,7 @@ class Cell(
     val hint: String = text,
     val unit: String = Topic.UNITLESS,
     val open: Action? = null,
+    val isUnfolded: Boolean? = null,
     val severity: Severity? = null,
     val share: Double? = null,
     val extreme: Extreme? = null,

@@ -3,7 +3,8 @@ package badlog.viewer.panel
 import badlog.rules.Finding
 import badlog.viewer.choices.note.Note
 import badlog.viewer.state.Action
-import badlog.viewer.state.TodoRequest
+import badlog.viewer.state.FolderRequest
+import badlog.viewer.state.Request
 import badlog.viewer.todo.NoteTask
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoList
@@ -24,8 +25,8 @@ interface TodoOfLog {
     fun partsOf(note: Note): List<Part>
 }
 
-/** The findings and notes of the log with the file name [log] in the team's [list]. */
-class ListedTasks(private val list: TodoList, private val log: String) : TodoOfLog {
+/** The findings and notes of the log with the file name [log] in the team's [list], which [author] changes. */
+class ListedTasks(private val list: TodoList, private val log: String, private val author: String) : TodoOfLog {
     override fun linesOf(finding: Finding): List<Part> = linesOf(taskOf(finding))
 
     override fun buttonsOf(finding: Finding): List<Button> = buttonsOf(taskOf(finding))
@@ -48,25 +49,27 @@ class ListedTasks(private val list: TodoList, private val log: String) : TodoOfL
 
     private fun buttonsOf(task: TodoTask): List<Button> {
         val title = list.itemOrNew(task).title
-        return list.offersFor(task).map { Button(it.label, Action.Ask(it.request), it.icon, "${it.label}: $title") }
+        return list.offersFor(task, author).map { Button(it.label, Action.Ask(it.request), it.icon, "${it.label}: $title") }
     }
 }
 
 /** A possible action on an item of the team's list. */
-class TodoOffer(val label: String, val icon: PartIcon, val request: TodoRequest)
+class TodoOffer(val label: String, val icon: PartIcon, val request: Request)
 
-/** Returns a person's possible actions on [task], which need not be on the list yet; the first marks it as done or not done. */
-fun TodoList.offersFor(task: TodoTask): List<TodoOffer> {
+/**
+ * Returns the possible actions of [author] on [task], which need not be on the list yet; the first marks it as done or not done.
+ */
+fun TodoList.offersFor(task: TodoTask, author: String): List<TodoOffer> {
     val item = itemOrNew(task)
-    val assign = TodoOffer("Assign…", PartIcon.PERSON, TodoRequest.AskPerson(item))
-    if (!item.isOpen) return listOf(TodoOffer("Not done", PartIcon.UNDONE, TodoRequest.Write(task, TodoDeed.Open)), assign)
+    val assign = TodoOffer("Assign…", PartIcon.PERSON, FolderRequest.Fill(assignForm(item)))
+    if (!item.isOpen) return listOf(TodoOffer("Not done", PartIcon.UNDONE, FolderRequest.WriteTodo(task, TodoDeed.Open)), assign)
     return listOf(
-        TodoOffer("Mark as done…", PartIcon.DONE, TodoRequest.AskDone(item)),
+        TodoOffer("Mark as done…", PartIcon.DONE, FolderRequest.Fill(doneForm(item, author))),
         assign,
         if (item(task) == null) {
-            TodoOffer("Put on the list", PartIcon.ADD, TodoRequest.Write(task, TodoDeed.Open))
+            TodoOffer("Put on the list", PartIcon.ADD, FolderRequest.WriteTodo(task, TodoDeed.Open))
         } else {
-            TodoOffer("Take off the list", PartIcon.REMOVE, TodoRequest.Write(task, TodoDeed.Remove))
+            TodoOffer("Take off the list", PartIcon.REMOVE, FolderRequest.WriteTodo(task, TodoDeed.Remove))
         },
     )
 }

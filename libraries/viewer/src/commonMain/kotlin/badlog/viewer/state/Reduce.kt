@@ -8,7 +8,7 @@ import badlog.viewer.input.KeyAction
 fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (action) {
     is Action.Press -> if (shown.isOpen || action.key == KeyAction.CURSOR_VALUES) state.after(shown, action.key) else Outcome(state)
 
-    is Action.Ask -> if (shown.isOpen) Outcome(state, action.request) else Outcome(state)
+    is Action.Ask -> if (shown.isOpen || action.request is FolderRequest) Outcome(state, action.request) else Outcome(state)
 
     is Action.Unfold -> Outcome(state.copy(unfolded = state.unfolded + (action.fold to action.isOpen)))
 

@@ -5,9 +5,9 @@ import badlog.viewer.choices.note.Note
 import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.search.Query
 import badlog.viewer.state.Action
+import badlog.viewer.state.FolderRequest
 import badlog.viewer.state.PlaceAction
 import badlog.viewer.state.Request
-import badlog.viewer.state.TodoRequest
 import badlog.viewer.todo.NoteTask
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoList
@@ -59,8 +59,8 @@ class NotesPanelSpec : FunSpec({
     }
 
     test("with a team’s list, a note has the actions for its item") {
-        val below = notesPanel(both, times, "a.bag", ListedTasks(TodoList.of(emptyList(), emptyList()), "a.bag"), isWriting = false).rows().last().below
+        val below = notesPanel(both, times, "a.bag", ListedTasks(TodoList.of(emptyList(), emptyList()), "a.bag", "Ada"), isWriting = false).rows().last().below
         below.buttons().map { it.label } shouldBe listOf("Mark as done…", "Assign…", "Put on the list")
-        below.buttons().last().action shouldBe Action.Ask(TodoRequest.Write(NoteTask("a.bag", 7.0, "smells burnt"), TodoDeed.Open))
+        below.buttons().last().action shouldBe Action.Ask(FolderRequest.WriteTodo(NoteTask("a.bag", 7.0, "smells burnt"), TodoDeed.Open))
     }
 })

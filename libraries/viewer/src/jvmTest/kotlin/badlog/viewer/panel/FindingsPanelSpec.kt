@@ -21,7 +21,7 @@ import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
 import badlog.viewer.state.FindingRequest
 import badlog.viewer.state.FindingsState
-import badlog.viewer.state.TodoRequest
+import badlog.viewer.state.FolderRequest
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoList
 import badlog.viewer.todo.taskOf
@@ -193,10 +193,10 @@ class FindingsPanelSpec : FunSpec({
 
     test("with a team's list, a finding has the actions for its item in the menu and below it") {
         val list = TodoList.of(emptyList(), emptyList())
-        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = ListedTasks(list, "a.bag"), details = FindingDetails(false, emptyList())))
+        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = ListedTasks(list, "a.bag", "Ada"), details = FindingDetails(false, emptyList())))
         val row = parts.rows().first()
         row.menu.map { it.label } shouldBe listOf("Mark as done…", "Assign…", "Put on the list")
-        row.menu.last().action shouldBe Action.Ask(TodoRequest.Write(taskOf(early), TodoDeed.Open))
+        row.menu.last().action shouldBe Action.Ask(FolderRequest.WriteTodo(taskOf(early), TodoDeed.Open))
         row.below.buttons().map { it.label } shouldBe row.menu.map { it.label }
         findingsPanel(shown()).rows().first().menu.shouldBeEmpty()
     }

@@ -54,7 +54,7 @@ class AcrossLogs(logs: List<AcrossLog>, private val state: AcrossState) {
         val rows = logs.map { log ->
             val texts = listOf(Cell(log.label, log.path), Cell(log.date))
             val open = FolderAction.Open(log.path, showsFinding = false)
-            TableRow(log.label, (texts + figures.map { it.cell(log) }).map(::listOf), log.path, open = open)
+            TableRow("Log ${log.label}", (texts + figures.map { it.cell(log) }).map(::listOf), log.path, open = open)
         }
         return Table("across", columns, listOf(RowGroup(rows)), "Statistics across logs")
     }

@@ -47,7 +47,7 @@ private fun <E : ListedLog> matchRow(listing: Listing<E>, run: MatchRun<E>, colu
     val logs = run.logs.sortedWith(compareByDescending<E> { it === worst }.thenByDescending { it.isReadable })
     val named = logs.firstOrNull { it.summary.match.event != null } ?: worst
     return TableRow(
-        worst.fileName,
+        "Log ${worst.fileName}",
         columns.map { column ->
             when (column) {
                 LogColumn.MATCH -> listOf(listing.titleCell(named, worst))

@@ -28,7 +28,7 @@ class AcrossLogsSpec : FunSpec({
 
     fun Column.pressed() = sort.shouldBeInstanceOf<FolderAction.MeasureAcross>().state
     fun table(state: AcrossState, of: List<AcrossLog> = logs) = AcrossLogs(of, state).table()
-    fun Table.labels() = rows.map { it.name }
+    fun Table.labels() = rows.map { it.cells.first().single().text }
     fun Table.column(title: String) = columns.first { it.title == title }
 
     test("a title sorts, and a second press reverses it; rows without a value stay last") {
