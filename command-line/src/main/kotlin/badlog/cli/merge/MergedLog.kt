@@ -10,11 +10,11 @@ import badlog.core.recording.ProblemKind
 import badlog.files.LogMaker
 import badlog.files.ReadResult
 import badlog.files.UnreadableFileException
-import badlog.formats.driverstation.isOfDriverStation
 import badlog.files.readLog
 import badlog.files.terminal.Progress
 import badlog.files.writing
 import badlog.formats.LOG_FORMATS
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.signals.clock.ClockFit
 import java.nio.file.Files
 import java.nio.file.Path

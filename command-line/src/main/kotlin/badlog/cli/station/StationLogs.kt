@@ -8,7 +8,6 @@ import badlog.files.LogName
 import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.filesAround
-import badlog.formats.driverstation.isOfDriverStation
 import badlog.files.readLog
 import badlog.files.readStationLog
 import badlog.files.reading
@@ -16,6 +15,7 @@ import badlog.files.startOfStationLog
 import badlog.files.stationLogsIn
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.STATION_HEAD_SIZE
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.formats.driverstation.stationStartIn
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.FoundStation

@@ -66,9 +66,7 @@ internal fun LogCard(row: TableRow, table: Table, isOpen: Boolean, isSelected: B
             },
     ) {
         Column(Modifier.width(28.dp).padding(start = 2.dp, top = 3.dp)) {
-            if (files.size <
-                2
-            ) {
+            if (files.size < 2) {
                 for (check in row.checks) CheckView(check, send)
             }
         }

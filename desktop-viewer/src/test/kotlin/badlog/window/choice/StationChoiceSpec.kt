@@ -13,6 +13,7 @@ import badlog.window.graph.choosing
 import badlog.window.graph.viewerOf
 import badlog.window.graph.withFormulas
 import badlog.window.log.OpenRecording
+import badlog.window.putPair
 import badlog.window.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

@@ -1,8 +1,8 @@
 package badlog.window.export
 
-import badlog.window.choice.putPair
 import badlog.window.choice.stationBeside
 import badlog.window.log.OpenRecording
+import badlog.window.putPair
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.nulls.shouldNotBeNull

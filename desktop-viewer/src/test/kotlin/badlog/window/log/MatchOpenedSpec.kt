@@ -2,12 +2,12 @@ package badlog.window.log
 
 import badlog.exporter.additionsIn
 import badlog.files.NotReadException
-import badlog.window.choice.putPair
 import badlog.window.choice.stationBeside
 import badlog.window.export.Additions
 import badlog.window.export.PageJob
 import badlog.window.export.armBag
 import badlog.window.export.makePages
+import badlog.window.putPair
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

@@ -1,6 +1,6 @@
 package badlog.window.screen
 
-import badlog.window.choice.putPair
+import badlog.window.putPair
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir

@@ -1,9 +1,9 @@
 package badlog.files
 
-import badlog.formats.driverstation.isOfDriverStation
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.DriverStationFormat
 import badlog.formats.driverstation.STATION_LOG
+import badlog.formats.driverstation.isOfDriverStation
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe

@@ -44,9 +44,9 @@ import badlog.page.note.NoteList
 import badlog.page.note.PageNotes
 import badlog.page.opened.LogOpening
 import badlog.page.opened.OpenedLog
+import badlog.page.opened.acceptFiles
 import badlog.page.opened.isManifest
 import badlog.page.opened.isZip
-import badlog.page.opened.acceptFiles
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.HelpOverlay
 import badlog.page.panel.ModulesPanel

@@ -23,7 +23,10 @@ internal fun matchInZip(zip: File): Promise<MatchFiles> =
 
 /** Promises the logs that a manifest among [files] names; null if there is no manifest. Rejected with a sentence if it has a mistake. */
 internal fun matchAmong(files: List<File>): Promise<MatchFiles?> = matchOf(files, files.map(OpenedLog::pathOf)).then { match ->
-    match?.run { MatchFiles(logs.filterKeys { name -> MatchManifest.of(manifest.orEmpty()).files.any { it.name == name } }, manifest, names) }
+    match?.run {
+        val named = MatchManifest.of(manifest.orEmpty()).files.mapTo(HashSet()) { it.name }
+        MatchFiles(logs.filterKeys(named::contains), manifest, names)
+    }
 }
 
 private fun matchOf(files: List<File>, paths: List<String>): Promise<MatchFiles?> {

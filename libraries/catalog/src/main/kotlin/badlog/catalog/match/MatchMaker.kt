@@ -10,7 +10,6 @@ import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.UnreadableFileException
 import badlog.files.inMadeFolder
-import badlog.formats.driverstation.isOfDriverStation
 import badlog.files.naming
 import badlog.files.partsOfLog
 import badlog.files.readLog
@@ -18,6 +17,7 @@ import badlog.files.reading
 import badlog.files.wholeLogs
 import badlog.files.writing
 import badlog.formats.LOG_FORMATS
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.formats.revlog.RevlogFormat
 import badlog.formats.wpilog.WpilogWriter
 import badlog.formats.wpilog.isOfBytes

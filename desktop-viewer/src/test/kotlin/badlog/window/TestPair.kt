@@ -1,4 +1,4 @@
-package badlog.window.choice
+package badlog.window
 
 import badlog.formats.driverstation.Status
 import badlog.formats.driverstation.TestDslog
