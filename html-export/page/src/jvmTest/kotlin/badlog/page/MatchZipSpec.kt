@@ -22,7 +22,7 @@ internal class MatchZipSpec : PageSpec({
 
     afterSpec { folder.toFile().deleteRecursively() }
 
-    /** A robot's log, whose match began [day] days after the first. */
+    /** A robot's log of a match that began [day] days after the first. */
     fun robot(day: Int = 0): ByteArray {
         val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Robot/Enabled","unit":"ul","attrs":[]},""" +
             """{"name":"Arm/Angle","unit":"deg","attrs":[]}],"values":[{"name":"Start Time","value":"2026-03-0${7 + day} 15:04:08 UTC"}]}"""
@@ -113,7 +113,10 @@ internal class MatchZipSpec : PageSpec({
                 val stored = zip("robot.bag" to robot(), isStored = true).also { it[2000] = (it[2000] + 1).toByte() }
                 val list = good.copyOf().also { it[good.size - 77] = 0 }
                 for ((bytes, sentence) in listOf(
-                    byteArrayOf(1, 2, 3) to "not a ZIP", list to "not a ZIP", damaged to "damaged", stored to "damaged",
+                    byteArrayOf(1, 2, 3) to "not a ZIP",
+                    list to "not a ZIP",
+                    damaged to "damaged",
+                    stored to "damaged",
                     bomb to "grows more than 200 times",
                 )) {
                     dropped("match.zip" to bytes, state = "failed")

@@ -43,7 +43,9 @@ internal class MatchReader(
         val stated = match.manifest?.let { MatchManifest.of(it).files }.orEmpty()
         var done = 0
         return match.logs.entries.fold(Promise.resolve(Unit)) { before, (name, files) ->
-            before.then { LogFileReader(files) { onProgress((done + it) / match.logs.size) }.read() }.unsafeCast<Promise<Recording>>().then {
+            before.then {
+                LogFileReader(files) { onProgress((done + it) / match.logs.size) }.read()
+            }.unsafeCast<Promise<Recording>>().then {
                 done++
                 val refusal = it.refusal
                 if (refusal != null) {
@@ -55,7 +57,10 @@ internal class MatchReader(
                 read += MatchFile(name, one?.role ?: roleOf(it), log, one?.seconds, one?.error)
             }
         }.then {
-            val unread = match.names.filter { it !in match.logs && (it.endsWith(".hoot", ignoreCase = true) || stated.any { one -> one.name == it }) }
+            val unread = match.names.filter {
+                it !in match.logs &&
+                    (it.endsWith(".hoot", ignoreCase = true) || stated.any { one -> one.name == it })
+            }
             unread.mapTo(sentences) { "$it is left out, because pages do not read it; badlog's window does." }
             val joined = joinedMatch(read, sentences + missingOf(stated, match.names))
             ReadLog(joined, isDamaged = false, wpilogOf(joined))
