@@ -22,7 +22,7 @@ internal class MatchZipSpec : PageSpec({
 
     afterSpec { folder.toFile().deleteRecursively() }
 
-    /** A robot's log, whose match began [day] days after the first. */
+    /** A robot's log of a match that began [day] days after the first. */
     fun robot(day: Int = 0): ByteArray {
         val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Robot/Enabled","unit":"ul","attrs":[]},""" +
             """{"name":"Arm/Angle","unit":"deg","attrs":[]}],"values":[{"name":"Start Time","value":"2026-03-0${7 + day} 15:04:08 UTC"}]}"""

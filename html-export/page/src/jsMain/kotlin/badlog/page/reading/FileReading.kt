@@ -18,7 +18,7 @@ internal class FileReading private constructor(
     private val reader: ((Double) -> Unit) -> Promise<ReadLog>,
     private val onProgress: (Double) -> Unit,
 ) {
-    /** Reads [files], those of one log; only the topics in [wanted], if it is not null. */
+    /** Reads the [files] of one log; only the topics in [wanted], if it is not null. */
     constructor(files: List<File>, wanted: WantedTopics? = null, onProgress: (Double) -> Unit) : this(
         { ReadingWorker.greeting(files, wanted) },
         { advance -> LogFileReader(files, wanted, advance).read().then { ReadLog(it, isDamaged = false) } },

@@ -24,7 +24,7 @@ internal class ZipContent(val names: List<String>, val files: List<File>)
 private class ZipEntry(val name: String, val method: Int, val sum: ByteArray, val packed: Double, val size: Double, val at: Double)
 
 /**
- * Promises the files in [zip] whose paths are [wanted]. Rejected with a sentence if it is not a ZIP, is damaged, or grows as no log does.
+ * Promises the files in [zip] with [wanted] paths. Rejected with a sentence if it is not a ZIP, is damaged, or grows as no log does.
  * See APPNOTE.TXT of PKWARE for the format.
  */
 internal fun filesInZip(zip: File, wanted: (String) -> Boolean): Promise<ZipContent> {
@@ -97,7 +97,7 @@ private fun stored(part: Blob, entry: ZipEntry): Promise<Blob> {
     return next(0.0)
 }
 
-/** Inflates [part]; framed as gzip, so that the browser compares the checksum and the size with those of [entry]. */
+/** Inflates [part]; framed as gzip, so that the browser compares checksum and size with the values in [entry]. */
 private fun inflated(part: Blob, entry: ZipEntry): Promise<Blob> {
     val size = ByteArray(4) { (entry.size.toLong() shr 8 * it).toByte() }
     val stream = Blob(arrayOf(GZIP_HEAD, part, entry.sum, size)).asDynamic().stream()

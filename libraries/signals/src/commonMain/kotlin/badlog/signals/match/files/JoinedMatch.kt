@@ -9,7 +9,7 @@ class NotOneMatchException(override val message: String) : Exception(message)
  * Returns the logs [files] of one match as one recording, see [recording].
  *
  * @param sentences a sentence about each other file, which cannot be read or is missing.
- * @throws NotOneMatchException if there is no robot's log, or those of several matches.
+ * @throws NotOneMatchException if there is no robot's log, or they are of several matches.
  */
 fun joinedMatch(files: List<MatchFile>, sentences: List<String>): Recording {
     val found = matchesOf(files)
