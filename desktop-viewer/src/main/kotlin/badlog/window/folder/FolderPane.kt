@@ -2,11 +2,15 @@ package badlog.window.folder
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -63,8 +67,15 @@ internal fun FolderPane(
             if (table == null) {
                 PanelView(parts.drop(1), goal = null, act, Modifier.fillMaxSize())
             } else {
-                for (part in parts.drop(1).dropLast(1)) PartView(part, act)
-                WideTableView(table, act)
+                BoxWithConstraints(Modifier.fillMaxSize()) {
+                    val most = maxHeight / 2
+                    Column {
+                        Column(Modifier.heightIn(max = most).verticalScroll(rememberScrollState())) {
+                            for (part in parts.drop(1).dropLast(1)) PartView(part, act)
+                        }
+                        WideTableView(table, act)
+                    }
+                }
             }
         }
     }

@@ -66,13 +66,16 @@ private fun PlainRow(row: PanelRow, send: (Action) -> Unit) {
         }
         Column(Modifier.weight(1f)) {
             if (row.title.isNotEmpty()) NameText(row.title, fontWeight = FontWeight.Medium, cut = NameCut.MIDDLE)
-            for (line in row.lines) Text(line.text)
+            for (line in row.lines) Text(line.text, maxLines = MAX_LINES, overflow = TextOverflow.Ellipsis)
             if (row.count.isNotEmpty()) Text(row.count, color = LocalPalette.current.muted, fontSize = 12.sp)
             BelowRow(row.below, send)
         }
         ButtonsView(row.tools, send, areIcons = true)
     }
 }
+
+/** The largest number of lines of a long text, for example of a stack trace. */
+private const val MAX_LINES = 8
 
 /** Shows [word] in the colors of [severity]. */
 @Composable

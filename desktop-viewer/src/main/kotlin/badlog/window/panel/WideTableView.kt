@@ -44,6 +44,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
@@ -194,7 +195,7 @@ private fun RowOfCells(
             .fillMaxWidth()
             .background(rowColor(palette, isSelected, isHovered))
             .hoverable(interactions)
-            .then(if (onSelect == null) pressed(row, send) else selectable(row, isSelected, onSelect, send)),
+            .then(if (onSelect == null) pressed(row, table, send) else selectable(row, isSelected, onSelect, send)),
     ) {
         Column(Modifier.width(widths.checks).padding(start = 4.dp)) {
             for (check in row.checks) LineOf(Arrangement.Start) { CheckView(check, send) }
@@ -236,9 +237,15 @@ private fun selectable(row: TableRow, isSelected: Boolean, onSelect: () -> Unit,
         }
 }
 
-private fun pressed(row: TableRow, send: (Action) -> Unit): Modifier {
-    val open = row.open ?: return Modifier.semantics { contentDescription = row.name }
-    return Modifier.clickable(role = Role.Button) { send(open) }.semantics { contentDescription = row.name }
+private fun pressed(row: TableRow, table: Table, send: (Action) -> Unit): Modifier {
+    // The name alone would hide the row's texts from screen readers.
+    val texts = table.columns.zip(row.cells).drop(1).flatMap { (column, cells) -> cells.map { "${column.title} ${it.text}" } }
+    val fold = row.cells[0].firstOrNull()?.isUnfolded?.let { if (it) "unfolded" else "folded" }
+    val named = Modifier.semantics {
+        contentDescription = row.name
+        stateDescription = (listOfNotNull(fold) + texts).joinToString()
+    }
+    return row.open?.let { Modifier.clickable(role = Role.Button) { send(it) }.then(named) } ?: named
 }
 
 @Composable

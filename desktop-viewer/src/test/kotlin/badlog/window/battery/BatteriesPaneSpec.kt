@@ -91,4 +91,4 @@ class BatteriesPaneSpec : FunSpec({
     }
 })
 
-private const val NAME = "Name of the battery; as the log says if empty"
+private const val NAME = "Name of the battery; leave it empty to use the name in the log"

@@ -145,9 +145,6 @@ internal class Scene(
         if (xAxis.range != null) store.send(PlaceAction.GoTo(x))
     }
 
-    /** Shows the surroundings of [x], and moves the cursor there. */
-    fun zoomTo(x: Double) = store.send(PlaceAction.GoTo(x, isWithSurroundings = true))
-
     /** Returns a place on the x axis as text, with the precision of the screen and the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
 

@@ -28,12 +28,11 @@ fun cursorPanel(lines: List<CursorLine>, values: CursorValues, x: Double?, place
         Value("cursor-value $i", row.name, text(::numberText), found.hasChanged, listOfNotNull(row.pin)) { text(::exactText) }
     }
     val more = lines.size - MAX_ROWS
-    val hint = when {
-        lines.isEmpty() -> "No topic matches."
-        x == null -> "Point at a graph, or click it."
-        more > 0 -> "And ${countText(more)} more: search to find them."
-        else -> ""
-    }
+    val hint = listOfNotNull(
+        "No topic matches.".takeIf { lines.isEmpty() },
+        "Point at a graph, or click it.".takeIf { lines.isNotEmpty() && x == null },
+        "And ${countText(more)} more: search to find them.".takeIf { more > 0 },
+    ).joinToString(" ")
     return listOfNotNull(
         Paragraph("cursor-place", place, Tone.MUTED).takeIf { x != null },
         Paragraph("hint", hint, Tone.MUTED).takeIf { hint.isNotEmpty() },

@@ -72,7 +72,7 @@ fun recordedBatteriesPanel(
 private fun renameBattery(match: BatteryMatch, season: BatterySeason, all: List<BatterySeason>): Action {
     val field = FormField(NAME, season.battery?.name.orEmpty(), suggestions = all.mapNotNull { it.battery?.name })
     val form = Form("Name the battery of ${match.title}", listOf(field), "Name") { (name) ->
-        listOf(Action.Ask(FolderRequest.UseBattery(match, name)))
+        if (name == field.text) emptyList() else listOf(Action.Ask(FolderRequest.UseBattery(match, name)))
     }
     return Action.Ask(FolderRequest.Fill(form))
 }
@@ -136,6 +136,6 @@ private class SeasonTable(
         TableRow(name, cells.map { cell -> listOf(cell).filter { it.text.isNotEmpty() } }, key, open = open, isMuted = isMuted)
 }
 
-private const val NAME = "Name of the battery; as the log says if empty"
-private const val UNNAMED = "No log says which battery was in the robot. Open the list below and type it beside each match, or let the " +
-    "robot log a value “Battery Name”."
+private const val NAME = "Name of the battery; leave it empty to use the name in the log"
+private const val UNNAMED = "No log says which battery was in the robot. Open the list below and press “Name…” beside each match, or let " +
+    "the robot log a value “Battery Name”."

@@ -18,6 +18,7 @@ import badlog.viewer.state.Action
 import badlog.viewer.state.FolderAction
 import badlog.viewer.state.FolderRequest
 import badlog.viewer.state.Request
+import badlog.viewer.text.word
 import badlog.viewer.todo.CHECKLIST_FILE
 import badlog.viewer.todo.CheckedLine
 import badlog.viewer.todo.TodoDeed
@@ -96,10 +97,13 @@ private fun rowOf(item: TodoItem, todo: ListedTodo, path: String?): Row {
     val offers = todo.list.offersFor(item.task, todo.author)
     val mark = offers.first()
     val person = if (item.person.isEmpty()) null else Paragraph("person", "To do: ${item.person}")
+    val severity = item.found?.severity?.takeIf { item.isOpen }
+    // Screen readers read only the name of a row.
+    val name = (listOfNotNull(severity?.word, item.title, person?.text) + item.lines).joinToString(". ")
     return Row(
         "item ${item.task}",
-        item.found?.severity?.takeIf { item.isOpen },
-        if (path == null) item.title else "${item.title}: show what was found in ${item.found?.log?.title}",
+        severity,
+        if (path == null) name else "$name. Show what was found in ${item.found?.log?.title}",
         item.title,
         emptyList(),
         open = path?.let { FolderAction.Open(it, showsFinding = true) },
