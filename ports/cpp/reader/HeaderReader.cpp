@@ -137,8 +137,8 @@ size_t HeaderReader::TakeWithoutHeader(const Names& titles, size_t lineEnd, size
     const bool mayBeBinary = m_mayBeUtf16 || HasControls(m_cursor.Piece(m_cursor.start, lineEnd));
     if (firstLines.isBinary || (mayBeBinary && !firstLines.hasRows)) return Refuse(m_mayBeUtf16 ? UTF_16 : Binary());
     ReportEncoding();
-    if (titles.size() == 1 && width <= 1) {
-        if (const auto message = OtherSeparator(titles[0], firstLines)) return Refuse(*message);
+    if (titles.size() == 1) {
+        if (const auto message = OtherSeparator(titles[0], firstLines, width)) return Refuse(*message);
     }
     const auto& lines = firstLines.lines;
     if (isDamaged && firstLines.hasRows) {
@@ -196,11 +196,23 @@ HeaderColumns HeaderReader::ColumnsOf(const ColumnTitles& known, const Names& ti
     return matched;
 }
 
-std::optional<std::string> HeaderReader::OtherSeparator(const std::string& title, const FirstLines& firstLines) const {
+std::optional<std::string> HeaderReader::OtherSeparator(
+    const std::string& title, const FirstLines& firstLines, size_t width) const {
     const auto& lines = firstLines.lines;
-    for (const auto& [byte, name] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}}) {
-        if (title.find(byte) == std::string::npos) continue;
-        if (lines.size() < 2 || m_cursor.Piece(lines[1].start, lines[1].end).find(byte) != std::string_view::npos) {
+    const auto rows = lines.begin() + (lines.empty() ? 0 : 1);
+    for (const auto& [separator, name] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}}) {
+        const char byte = separator;
+        const auto wanted = std::count(title.begin(), title.end(), byte);
+        if (wanted == 0) continue;
+        const auto countIn = [&](const FirstLines::Line& line) {
+            const auto piece = m_cursor.Piece(line.start, line.end);
+            return std::count(piece.begin(), piece.end(), byte);
+        };
+        // Decimal commas split the cells of such rows.
+        const bool isOther = width > 1
+            ? std::all_of(rows, lines.end(), [&](const auto& line) { return countIn(line) == wanted; })
+            : rows == lines.end() || countIn(*rows) > 0;
+        if (isOther) {
             return std::string{"The columns are separated by "} + name + "; save the file again as CSV with commas.";
         }
     }

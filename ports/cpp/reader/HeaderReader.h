@@ -44,7 +44,7 @@ private:
     size_t TakeUntitled(size_t width);
     size_t SkipTo(const FirstLines::Line& titles, size_t firstEnd);
     HeaderColumns ColumnsOf(const ColumnTitles& known, const Names& titles);
-    std::optional<std::string> OtherSeparator(const std::string& title, const FirstLines& firstLines) const;
+    std::optional<std::string> OtherSeparator(const std::string& title, const FirstLines& firstLines, size_t width) const;
     Names Titles(size_t lineEnd, const Names& names);
     int64_t LinesIn(size_t start, size_t until) const;
     void ReportUnreadable(std::string message);

@@ -136,3 +136,19 @@ TEST_CASE("each file of the conformance corpus is read as expected") {
     }
     CHECK(files > 100);
 }
+
+TEST_CASE("columns separated otherwise are refused even with decimal commas") {
+    for (const auto& [byte, name] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}}) {
+        for (const char point : {'.', ','}) {
+            std::string file = std::string{"Zeit"} + byte + "Spannung" + byte + "Strom\n";
+            for (int row = 0; row < 10; row++) {
+                const auto number = std::to_string(row);
+                file += std::string{"0"} + point + "0" + number + byte + "1" + number + point + "5" + byte + number + "\n";
+            }
+            const auto recording = badlog::ReadBag(file);
+            CHECK(recording.topics.empty());
+            REQUIRE(recording.problems.size() > 0);
+            CHECK(recording.problems[0].message.rfind(std::string{"The columns are separated by "} + name, 0) == 0);
+        }
+    }
+}

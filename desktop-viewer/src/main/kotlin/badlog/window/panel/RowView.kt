@@ -66,7 +66,9 @@ private fun PlainRow(row: PanelRow, send: (Action) -> Unit) {
         }
         Column(Modifier.weight(1f)) {
             if (row.title.isNotEmpty()) NameText(row.title, fontWeight = FontWeight.Medium, cut = NameCut.MIDDLE)
-            for (line in row.lines) Text(line.text, maxLines = MAX_LINES, overflow = TextOverflow.Ellipsis)
+            // A finding's text is always whole.
+            val lines = if (row.severity == null) MAX_LINES else Int.MAX_VALUE
+            for (line in row.lines) Text(line.text, maxLines = lines, overflow = TextOverflow.Ellipsis)
             if (row.count.isNotEmpty()) Text(row.count, color = LocalPalette.current.muted, fontSize = 12.sp)
             BelowRow(row.below, send)
         }

@@ -81,6 +81,11 @@ internal class MatchZipSpec : PageSpec({
                 text shouldContain "moved by 1.5 s; as stated"
                 back()
             }
+            step("also without a ZIP, if one robot's log and those of other devices are dropped together") {
+                dropped("robot.bag" to robot(), log to station)
+                text shouldContain "edges of enabled fit"
+                back()
+            }
             step("files of another program's match.json are listed, and a mistake in one is said") {
                 dropped("robot.bag" to robot(), "match.json" to "{}".encodeToByteArray())
                 texts(".page-title h1") shouldBe listOf("robot.bag")

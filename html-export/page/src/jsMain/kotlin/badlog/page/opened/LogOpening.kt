@@ -75,7 +75,7 @@ internal class LogOpening(
         again = { open(files) }
         val only = files.singleOrNull()
         if (only != null && isZip(only)) return openMatch(only.name, matchInZip(only)) {}
-        val manifest = files.find(::isManifest) ?: return openLogs(files)
+        val manifest = files.find(::isManifest) ?: return matchTogether(files)?.let { read(it.first, it.second) } ?: openLogs(files)
         openMatch(OpenedLog.pathOf(manifest).substringBefore('/', "match"), matchAmong(files)) { openLogs(files) }
     }
 

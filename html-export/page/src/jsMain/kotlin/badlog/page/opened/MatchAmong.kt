@@ -1,5 +1,7 @@
 package badlog.page.opened
 
+import badlog.formats.driverstation.DriverStationFormat
+import badlog.formats.revlog.RevlogFormat
 import badlog.page.reading.MatchFiles
 import badlog.page.reading.filesInZip
 import badlog.signals.match.files.MatchManifest
@@ -28,6 +30,19 @@ internal fun matchAmong(files: List<File>): Promise<MatchFiles?> = matchOf(files
         MatchFiles(logs.filterKeys(named::contains), manifest, names)
     }
 }
+
+/**
+ * Returns the logs of a match among [files], which were given together: one robot's log, by which the match is named, and logs of other
+ * devices. Null if they are not.
+ */
+internal fun matchTogether(files: List<File>): Pair<String, MatchFiles>? {
+    val logs = logsOf(files)
+    val robots = logs.keys.filter { name -> OF_DEVICES.none { name.endsWith(it, ignoreCase = true) } }
+    val isMatch = robots.size == 1 && logs.size > 1 && logs.keys.none { '/' in it }
+    return if (isMatch) robots[0].substringBeforeLast('.') to MatchFiles(logs, null, logs.keys) else null
+}
+
+private val OF_DEVICES = DriverStationFormat.endings + RevlogFormat.endings
 
 private fun matchOf(files: List<File>, paths: List<String>): Promise<MatchFiles?> {
     val named = files.filter { it.name == MatchManifest.NAME }

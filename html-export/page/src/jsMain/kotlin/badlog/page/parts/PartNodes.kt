@@ -282,7 +282,8 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         val line = row.lines.firstOrNull()
         val until = line?.until.orEmpty()
         val time = line?.let { time(if (until.isEmpty()) it.time else "${it.time} – $until", it) }
-        val texts = listOf(Node("span", "finding-source", row.title)) + row.lines.map { Node("span", text = it.text) }
+        val title = listOf(Node("span", "finding-source", row.title)).filter { row.title.isNotEmpty() }
+        val texts = title + row.lines.map { Node("span", text = it.text) }
         val count = if (row.count.isEmpty()) null else Node("span", "unit finding-count", row.count)
         return listOfNotNull(time, Node("span", "finding-text", children = texts + nodesOf(row.below)), count)
     }
