@@ -36,10 +36,11 @@ internal fun matchAmong(files: List<File>): Promise<MatchFiles?> = matchOf(files
  * devices. Null if they are not.
  */
 internal fun matchTogether(files: List<File>): Pair<String, MatchFiles>? {
+    val paths = files.map(OpenedLog::pathOf).filter(OpenedLog::isNamedLikeLog)
+    val robot = paths.singleOrNull { path -> OF_DEVICES.none { path.endsWith(it, ignoreCase = true) } }
+    if (robot == null || paths.size == 1 || paths.any { '/' in it }) return null
     val logs = logsOf(files)
-    val robots = logs.keys.filter { name -> OF_DEVICES.none { name.endsWith(it, ignoreCase = true) } }
-    val isMatch = robots.size == 1 && logs.size > 1 && logs.keys.none { '/' in it }
-    return if (isMatch) robots[0].substringBeforeLast('.') to MatchFiles(logs, null, logs.keys) else null
+    return robot.substringBeforeLast('.') to MatchFiles(logs, null, logs.keys)
 }
 
 private val OF_DEVICES = DriverStationFormat.endings + RevlogFormat.endings
