@@ -12,7 +12,10 @@ import java.nio.file.Files
 import java.util.zip.CRC32
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
+import kotlin.io.path.createDirectories
 import kotlin.io.path.div
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
 
 /** The logs of one match in a ZIP, or beside a `match.json`, on the page. */
 @Tags("InCheck")
@@ -85,6 +88,21 @@ internal class MatchZipSpec : PageSpec({
                 dropped("robot.bag" to robot(), log to station)
                 text shouldContain "edges of enabled fit"
                 back()
+            }
+            step("of a dropped folder with a match.json, the match is opened, also on the way forward after back") {
+                val manifest = """{"version":1,"files":[{"name":"robot.bag"},{"name":"$log","seconds":2.5}]}"""
+                val day = (folder / "Q7").createDirectories()
+                (day / "robot.bag").writeBytes(robot())
+                (day / log).writeBytes(station)
+                (day / "match.json").writeText(manifest)
+                drop(day)
+                repeat(2) {
+                    await("the match") { "moved by 2.5 s; as stated" in text }
+                    awaitState("ready")
+                    driver.navigate().back()
+                    awaitState("empty")
+                    if (it == 0) driver.navigate().forward()
+                }
             }
             step("files of another program's match.json are listed, and a mistake in one is said") {
                 dropped("robot.bag" to robot(), "match.json" to "{}".encodeToByteArray())

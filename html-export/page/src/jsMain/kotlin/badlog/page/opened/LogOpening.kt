@@ -320,6 +320,7 @@ internal class LogOpening(
         watched.files().then { files ->
             fun listAll() = list(OpenedLog.logsIn(files), watched.name, watched.again, watched.pages)
             val manifest = watched.manifest ?: return@then listAll()
+            again = { open(watched) }
             openMatch(watched.name, matchAmong(files + manifest), ::listAll)
         }.catch { root.failUnexpectedly(it, back()) }
     }
