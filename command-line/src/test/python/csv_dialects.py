@@ -1,4 +1,4 @@
-"""Writes CSV files in random dialects, and compares what badlog made of them with what pandas reads, which is told each dialect.
+"""Writes CSV files in random dialects, and compares the values that badlog and pandas read; pandas is given each dialect.
 
 `csv_dialects.py write FOLDER SEED COUNT` writes the files into FOLDER, and their dialects into FOLDER/dialects.json. `csv_dialects.py compare FOLDER
 RESULTS` prints the number of equal values, or fails with the first difference."""

@@ -21,7 +21,7 @@ class CsvDialectSpec : FunSpec({
         return process.inputStream.readAllBytes().decodeToString().also { process.waitFor() shouldBe 0 }
     }
 
-    test("badlog, which finds the dialect of a CSV file, reads the values that pandas reads, which is told it").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("badlog finds the dialect of a CSV file, and reads the same values as pandas with that dialect").config(enabledOrReasonIf = PYTHON.isHere) {
         inFolder { folder ->
             val files = (folder / "in").createDirectory()
             said("write", files, SEED, FILES)
