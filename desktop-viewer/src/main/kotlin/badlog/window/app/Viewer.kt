@@ -212,7 +212,7 @@ internal class Viewer(
     val spoken = SpokenCursor(current, board, view)
     private val findingRequests = FindingRequests(current, findings, board, compared, since, panels, spoken)
     private val requests: WindowRequests =
-        WindowRequests(board, formulas, findingRequests, notes, keptLayouts, panels, video, spoken, todo, batteries)
+        WindowRequests(board, formulas, findingRequests, compared, notes, keptLayouts, panels, video, spoken, todo, batteries)
     val keyboard = Keyboard()
 
     /** All keyboard commands, in the order of the help. */

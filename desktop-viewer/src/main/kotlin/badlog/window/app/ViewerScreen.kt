@@ -169,7 +169,7 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
                 Welcome(welcome, Modifier.fillMaxSize())
             } else {
                 Column(Modifier.fillMaxSize()) {
-                    CompareBar(current, compared)
+                    CompareBar(compared, store::send)
                     GraphPane(graphs, Modifier.weight(1f).fillMaxWidth(), loader.isReading)
                 }
                 SpokenText(spoken)

@@ -1,9 +1,11 @@
 package badlog.window.app
 
+import badlog.viewer.state.CompareRequest
 import badlog.viewer.state.FindingRequest
 import badlog.viewer.state.FolderRequest
 import badlog.viewer.state.Request
 import badlog.window.battery.FolderSeason
+import badlog.window.compare.ComparedRecordings
 import badlog.window.formula.FormulaStore
 import badlog.window.graph.SpokenCursor
 import badlog.window.layout.KeptLayouts
@@ -20,6 +22,7 @@ internal class WindowRequests(
     private val board: GraphBoard,
     private val formulas: FormulaStore,
     private val findings: FindingRequests,
+    private val compared: ComparedRecordings,
     private val notes: LogNotes,
     private val layouts: KeptLayouts,
     private val panels: WindowPanels,
@@ -31,6 +34,11 @@ internal class WindowRequests(
     /** Performs [request]. */
     fun perform(request: Request) = when (request) {
         is FindingRequest -> findings.perform(request)
+
+        // The list of logs has check boxes.
+        CompareRequest.Choose -> panels.change { copy(library = true) }
+
+        is CompareRequest -> compared.perform(request)
 
         is FolderRequest.Fill -> panels.change { copy(form = request.form) }
 

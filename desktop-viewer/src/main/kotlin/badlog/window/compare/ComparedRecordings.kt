@@ -2,8 +2,10 @@ package badlog.window.compare
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
+import badlog.viewer.shown.comparison.DrawnLog
 import badlog.viewer.shown.comparison.LogName
 import badlog.viewer.shown.comparison.namesBeside
+import badlog.viewer.state.CompareRequest
 import badlog.window.log.CurrentRecording
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingReader
@@ -11,6 +13,13 @@ import badlog.window.state.StateHolder
 import badlog.window.task.LongTasks
 import kotlinx.coroutines.Job
 import java.nio.file.Path
+
+/** A [recording] that graphs draw. The offset of the open one is 0. */
+internal data class DrawnRecording(
+    val recording: OpenRecording,
+    override val offset: Double = 0.0,
+    override val name: String = recording.label,
+) : DrawnLog
 
 /**
  * Reads the recordings compared with the current one, and releases them afterwards.
@@ -26,7 +35,7 @@ internal class ComparedRecordings(
 
     /**
      * The recordings that every graph draws: the open one, then the checked ones that were read. They are in the order in which they were
-     * checked. A recording that is both is included once. The index in this list selects a recording's color, see [colorOf].
+     * checked. A recording that is both is included once. The index in this list selects a recording's color.
      */
     val drawn: List<DrawnRecording> by derivedStateOf {
         val open = current.recording ?: return@derivedStateOf emptyList()
@@ -60,6 +69,20 @@ internal class ComparedRecordings(
     fun clear() {
         state.checked.forEach(::remove)
         change { cleared() }
+    }
+
+    /** Performs [request], except choosing a file. */
+    fun perform(request: CompareRequest) {
+        val open = current.recording ?: return
+        // The open one comes first.
+        fun fileOf(log: Int) = drawn[log + 1].recording.file
+        when (request) {
+            CompareRequest.Choose -> Unit
+            CompareRequest.Clear -> clear()
+            is CompareRequest.Align -> change { alignedBy(request.alignment, open) }
+            is CompareRequest.Move -> change { movedTo(fileOf(request.log), request.offset, open) }
+            is CompareRequest.Remove -> remove(fileOf(request.log))
+        }
     }
 
     /** Uses [open] as the only recording of its file, if that file is checked. */

@@ -1,5 +1,6 @@
 package badlog.window.panel
 
+import androidx.compose.foundation.interaction.MutableInteractionSource
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
@@ -7,28 +8,43 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.material3.LocalTextStyle
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import badlog.viewer.panel.Field
 import badlog.viewer.shown.search.Query
 import badlog.viewer.state.Action
 import badlog.window.menu.MenuBox
 import badlog.window.menu.MenuLine
+import badlog.window.theme.LocalPalette
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
+import badlog.window.theme.fieldFrame
 
-/** Shows [field] as a search field, or as a button that opens its suggestions. */
+/** Shows [field] as a search field, as a button that opens its suggestions, or as a text that a person types. */
 @Composable
 internal fun FieldView(field: Field, send: (Action) -> Unit) {
     if (field.isSearch) {
         SearchField(field.text, field.label, Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp)) { send(field.onText(it)) }
         return
     }
+    if (field.suggestions.isEmpty()) return TypedField(field, send)
     var isOpen by remember { mutableStateOf(false) }
     val suggestions = @Composable {
         Suggestions(field.suggestions) { chosen ->
@@ -39,6 +55,36 @@ internal fun FieldView(field: Field, send: (Action) -> Unit) {
     MenuBox(isOpen, { isOpen = false }, Modifier.padding(start = 22.dp), menu = suggestions) {
         ToolButton(field.hint, text = "${field.label} …") { isOpen = true }
     }
+}
+
+/** A field for a short text, which has an effect when a person presses Enter or leaves the field. */
+@Composable
+private fun TypedField(field: Field, send: (Action) -> Unit) {
+    val interactions = remember { MutableInteractionSource() }
+    // The text being typed; null while nothing is being typed.
+    var draft by remember(field.text) { mutableStateOf<String?>(null) }
+    val finish = {
+        draft?.takeIf(field.isValid)?.let { send(field.onText(it)) }
+        draft = null
+    }
+    BasicTextField(
+        draft ?: field.text,
+        { draft = it },
+        Modifier
+            .width(88.dp)
+            .fieldFrame(interactions, horizontal = 5.dp, vertical = 3.dp, isWrong = draft?.let(field.isValid) == false)
+            .onFocusChanged { if (!it.isFocused) finish() }
+            .onKeyEvent { event ->
+                val isEnter = event.type == KeyEventType.KeyDown && (event.key == Key.Enter || event.key == Key.NumPadEnter)
+                if (isEnter) finish()
+                isEnter
+            }
+            .semantics { contentDescription = field.label },
+        textStyle = LocalTextStyle.current.copy(textAlign = TextAlign.End),
+        singleLine = true,
+        interactionSource = interactions,
+        cursorBrush = SolidColor(LocalPalette.current.accent),
+    )
 }
 
 @Composable

@@ -183,7 +183,8 @@ private fun ChoiceView(choice: Choice, send: (Action) -> Unit, modifier: Modifie
     ) {
         Text(choice.name, color = LocalPalette.current.muted)
         for (option in choice.options) {
-            ToolButton("${choice.name} ${option.label}", text = option.label, isOn = option.isOn == true) { send(option.action) }
+            val hint = if (option.hint == option.label) "${choice.name} ${option.label}" else option.hint
+            ToolButton(hint, text = option.label, isOn = option.isOn == true) { send(option.action) }
         }
     }
 }

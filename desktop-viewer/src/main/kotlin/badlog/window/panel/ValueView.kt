@@ -3,10 +3,12 @@ package badlog.window.panel
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -23,7 +25,7 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 
-/** Shows [value] after its buttons, which are as small as its text. */
+/** Shows [value] between its buttons: icons, as small as its text, come first. */
 @Composable
 internal fun ValueView(value: Value, send: (Action) -> Unit) {
     val palette = LocalPalette.current
@@ -34,14 +36,17 @@ internal fun ValueView(value: Value, send: (Action) -> Unit) {
         horizontalArrangement = Arrangement.spacedBy(8.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        for (tool in value.tools) {
+        val (words, icons) = value.tools.partition { it.icon == null }
+        for (tool in icons) {
             val icon = tool.icon?.vector ?: continue
             val press = Modifier.size(14.dp).clickable(role = Role.Button) { send(tool.action) }
             Icon(icon, tool.hint, press, if (tool.isOn == true) palette.accent else palette.muted)
         }
+        value.color?.let { Box(Modifier.size(10.dp).background(palette.line(it), RoundedCornerShape(2.dp))) }
         NameText(value.name, Modifier.weight(1f), color = palette.muted)
-        Tip(value.exact, Modifier.weight(0.8f)) {
+        value.field?.let { FieldView(it, send) } ?: Tip(value.exact, Modifier.weight(0.8f)) {
             Text(value.text, fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }
+        ButtonsView(words, send)
     }
 }

@@ -39,7 +39,7 @@ internal class CompareSpec : PageSpec({
 
     fun OpenPage.legend() = texts(".graph[data-name='$VOLTS'] .legend-name").zip(texts(".graph[data-name='$VOLTS'] .legend .value")) { name, value -> "$name $value" }
 
-    fun OpenPage.offset() = element(".compared-offset").getAttribute("value").orEmpty().toDouble()
+    fun OpenPage.offset() = element(".compared-offset input").getAttribute("value").orEmpty().toDouble()
 
     browserTest("logs are compared, moved, calculated with, and removed again") {
         val folder = tempdir().toPath()
@@ -51,7 +51,7 @@ internal class CompareSpec : PageSpec({
                 element("#compare").isDisplayed shouldBe false
                 compare("other.bag" to log(100.0, 3.0, 11.0))
                 awaitLogs(2)
-                texts(".compared-log bdi") shouldContainExactly listOf("own.bag", "other.bag")
+                texts(".compared-log .cut-name") shouldContainExactly listOf("own.bag", "other.bag")
                 graph(VOLTS).click(0.5)
                 legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (other.bag) 11")
                 texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State", "State (other.bag)")
@@ -61,7 +61,7 @@ internal class CompareSpec : PageSpec({
                 keepScreenshot("compare")
                 seriousForReaders() shouldBe emptyList()
             }
-            element("#stop-comparing").click()
+            element("#compare [aria-label='Stop comparing']").click()
             press(Keys.ESCAPE)
             step("several logs are read one after the other, also gzipped ones, and each can be removed; a search continues meanwhile") {
                 press("/", VOLTS)
@@ -76,7 +76,7 @@ internal class CompareSpec : PageSpec({
                 legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (a.bag) 11", "$VOLTS (b.bag.gz) 10")
                 elements(".compared-log .icon-button")[0].click()
                 legend().size shouldBe 2
-                element("#stop-comparing").click()
+                element("#compare [aria-label='Stop comparing']").click()
                 element("#compare").isDisplayed shouldBe false
                 texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State")
             }
@@ -88,10 +88,10 @@ internal class CompareSpec : PageSpec({
                 }
                 element("#compare-file").sendKeys(files.joinToString("\n"))
                 awaitLogs(3)
-                texts(".compared-log bdi") shouldContainExactly listOf("own.bag", "a.bag", "b.bag")
+                texts(".compared-log .cut-name") shouldContainExactly listOf("own.bag", "a.bag", "b.bag")
                 await("the sentence") { "pit.bag" in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
             }
-            element("#stop-comparing").click()
+            element("#compare [aria-label='Stop comparing']").click()
             step("a formula of the page is calculated for all logs, whichever came first") {
                 fun addFormula(text: String) {
                     press("f")
@@ -106,19 +106,19 @@ internal class CompareSpec : PageSpec({
                     graph(name).card.findElements(By.cssSelector(".legend-entry")).size shouldBe 2
                 }
             }
-            element("#stop-comparing").click()
+            element("#compare [aria-label='Stop comparing']").click()
             step("logs are aligned at their start or when the robot was enabled, or moved by hand, from where they were") {
                 compare("other.bag" to log(100.0, 3.0, 11.0))
                 awaitLogs(2)
                 offset() shouldBe (-100.0 plusOrMinus 1e-6)
-                script("const s = document.querySelector('#alignment'); s.value = 'ENABLED'; s.dispatchEvent(new Event('change'))")
+                elements(".alignment button").first { it.text == "Enabled" }.click()
                 offset() shouldBe (-101.0 plusOrMinus 1e-6)
-                elements(".compared-step").first { it.text == "+.1" }.click()
+                elements(".compared-log .text-button").first { it.text == "+.1" }.click()
                 offset() shouldBe (-100.9 plusOrMinus 1e-6)
-                element("#alignment").getAttribute("value") shouldBe "MANUAL"
-                element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-99,5", Keys.ENTER)
+                texts(".alignment [aria-pressed='true']") shouldContainExactly listOf("Manual")
+                element(".compared-offset input").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-99,5", Keys.ENTER)
                 offset() shouldBe (-99.5 plusOrMinus 1e-6)
-                element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "fast", Keys.ENTER)
+                element(".compared-offset input").sendKeys(Keys.chord(Keys.CONTROL, "a"), "fast", Keys.ENTER)
                 offset() shouldBe (-99.5 plusOrMinus 1e-6)
             }
         }
@@ -129,7 +129,7 @@ internal class CompareSpec : PageSpec({
             onPage(TestPages.of(wpilog(), "FRC_20260314_150000_MIARC_Q42.wpilog")) {
                 compare("FRC_20260314_170000_MIARC_Q57.wpilog" to wpilog())
                 awaitLogs(2)
-                texts(".compared-log bdi") shouldContainExactly listOf("Qualification 42", "Qualification 57")
+                texts(".compared-log .cut-name") shouldContainExactly listOf("Qualification 42", "Qualification 57")
             }
         }
         step("a page exported with other logs begins with them, also on a phone, and matches of one event are named by their number") {
@@ -137,7 +137,7 @@ internal class CompareSpec : PageSpec({
                 awaitLogs(2)
                 for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
                     show(screen)
-                    texts(".compared-log bdi") shouldContainExactly listOf("Qualification 42", "Qualification 57")
+                    texts(".compared-log .cut-name") shouldContainExactly listOf("Qualification 42", "Qualification 57")
                     (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
                     text shouldContain "Qualification 57"
                     keepScreenshot(if (screen === Screen.PHONE) "phone-compare" else "compare-exported")

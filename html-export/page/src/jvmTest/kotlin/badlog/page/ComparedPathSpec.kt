@@ -63,7 +63,7 @@ internal class ComparedPathSpec : PageSpec({
                     for (color in 0..1) pathPixels(color, layer = 1) shouldBeGreaterThan 60
                     keepScreenshot("compare-path-${screen.width}-${if (screen.isDark) "dark" else "light"}")
                     seriousForReaders() shouldBe emptyList()
-                    element("#stop-comparing").click()
+                    element("#compare [aria-label='Stop comparing']").click()
                     settle()
                     legend() shouldContainExactly listOf(name)
                     pathPixels(1) shouldBe wall
@@ -80,19 +80,19 @@ internal class ComparedPathSpec : PageSpec({
                 pathPixels(1) shouldBeLessThan drawn - 100
             }
             elements("#board .graph[data-name='Path'] .legend-entry")[1].click()
-            element("#stop-comparing").click()
+            element("#compare [aria-label='Stop comparing']").click()
             settle()
             step("a compared robot moves along with its log's offset") {
                 compareWith(log(100.0, 6.0))
                 hoverPath(0.5, 0.68)
                 fun place(i: Int) = pathValues()[i].substringBefore(',').toDouble()
                 val before = place(1)
-                element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-98", Keys.ENTER)
+                element(".compared-offset input").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-98", Keys.ENTER)
                 settle()
                 pathValues()[0].substringBefore(',').toDouble() shouldBe before
                 place(1) shouldBe before - 2
                 // Then the cursor is before the beginning of that log.
-                element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-80", Keys.ENTER)
+                element(".compared-offset input").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-80", Keys.ENTER)
                 settle()
                 pathValues()[1] shouldBe ""
             }

@@ -166,7 +166,7 @@ internal class EmptyPageSpec : PageSpec({
                 awaitLog("other.bag")
                 drop("own.bag" to bag)
                 choose("Compare with this log")
-                await("two logs") { texts(".compared-log bdi") == listOf("other.bag", "own.bag") }
+                await("two logs") { texts(".compared-log .cut-name") == listOf("other.bag", "own.bag") }
                 // This loads the page again, so there is nothing to settle.
                 element("#go-back").click()
                 awaitLog("own.bag")
@@ -200,7 +200,7 @@ internal class EmptyPageSpec : PageSpec({
         val own = TestPages.ofSamples("wrong-turn.bag", listOf("practice.bag", "elevator-bench.csv"))
         val file = folder / "compared.html"
 
-        fun OpenPage.compared() = texts(".compared-log bdi").drop(1)
+        fun OpenPage.compared() = texts(".compared-log .cut-name").drop(1)
 
         fun OpenPage.saveCopy() = file.writeBytes(exported("A copy of this page, with your notes and board", "wrong-turn.html"))
         onPage(own) {

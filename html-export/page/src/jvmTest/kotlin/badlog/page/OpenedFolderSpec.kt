@@ -118,7 +118,7 @@ internal class OpenedFolderSpec : PageSpec({
                 for (name in listOf("qualification-42.bag", "qualification-57.bag.gz")) click("[aria-label='Compare $name']")
                 click("#compare-logs")
                 awaitLog("Qualification 42")
-                await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
+                await("both") { texts(".compared-log .cut-name") == listOf("Qualification 42", "Qualification 57") }
             }
             backToList()
             step("a finding in the list opens its log at the worst incident; the next log and the list are a click away") {
@@ -214,8 +214,8 @@ internal class OpenedFolderSpec : PageSpec({
                     listedLogs.size shouldBe 3
                     for (box in elements("[aria-label='Compare match.bag']").indices) elements("[aria-label='Compare match.bag']")[box].click()
                     click("#compare-logs")
-                    await("all three") { texts(".compared-log bdi").size == 3 }
-                    texts(".compared-log bdi").distinct().size shouldBe 3
+                    await("all three") { texts(".compared-log .cut-name").size == 3 }
+                    texts(".compared-log .cut-name").distinct().size shouldBe 3
                 }
                 openAnew(tables)
                 step("a finding in a table without an x axis opens over the time column, in which it was found") {

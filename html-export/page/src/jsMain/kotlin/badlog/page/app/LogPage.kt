@@ -145,7 +145,7 @@ internal class LogPage(
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, lines::shown)
     private val comparison = PageComparison(formulas, about.name)
-    private val compareBar = CompareBar(comparison, scene.notice)
+    private val compareBar = CompareBar(comparison, scene)
     private val changes: LogChanges = LogChanges(opening, comparison, compareBar, scene.notice, { element }) { difference ->
         pinEvidence(difference, null)
         boardSection.bringIntoSight()
@@ -164,7 +164,7 @@ internal class LogPage(
     private val keys = BoardKeys(board, graphs, boardSection)
     private val findingRequests = FindingRequests(signalChoice, changes, live, ::showEvidence, ::pinEvidence)
     private val requests =
-        PageRequests(keys, values, modules, formulaDialog, noteDialog, layouts.dialog, video, live, findingRequests::perform)
+        PageRequests(keys, values, modules, formulaDialog, noteDialog, layouts.dialog, video, compareBar, live, findingRequests::perform)
     private val goal: LinkGoal = LinkGoal(boardSection, inSight, findings)
     private val opened = ReaderParts(search, values, modules, boardSection)
     private val problems = ProblemSection(scene, view.problems, additionProblems(formulas, additions, layout))

@@ -1,12 +1,14 @@
 package badlog.page.app
 
 import badlog.page.board.BoardKeys
+import badlog.page.compare.CompareBar
 import badlog.page.formula.FormulaDialog
 import badlog.page.layout.LayoutDialog
 import badlog.page.note.NoteDialog
 import badlog.page.panel.CursorPanel
 import badlog.page.panel.ModulesPanel
 import badlog.page.video.VideoPanel
+import badlog.viewer.state.CompareRequest
 import badlog.viewer.state.FindingRequest
 import badlog.viewer.state.FolderRequest
 import badlog.viewer.state.Request
@@ -20,12 +22,15 @@ internal class PageRequests(
     private val notes: NoteDialog,
     private val layouts: LayoutDialog,
     private val video: VideoPanel,
+    private val compared: CompareBar,
     private val live: LiveRegion,
     private val onFinding: (FindingRequest) -> Unit,
 ) {
     /** Carries out [request]. */
     fun perform(request: Request): Unit = when (request) {
         is FindingRequest -> onFinding(request)
+
+        is CompareRequest -> compared.perform(request)
 
         // A page cannot write beside the logs, so it has no team's list.
         is FolderRequest -> Unit

@@ -5,29 +5,24 @@ import badlog.page.dom.Icon
 import badlog.page.dom.PageEvents
 import badlog.page.dom.add
 import badlog.page.dom.addButton
-import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.opened.OpenedLog
+import badlog.page.parts.PartNodes
+import badlog.page.parts.patch
 import badlog.page.reading.FileReading
-import badlog.page.view.Notice
-import badlog.viewer.choices.comparison.Alignment
-import badlog.viewer.choices.comparison.OFFSET_STEPS
-import badlog.viewer.choices.comparison.OffsetStep
-import badlog.viewer.choices.comparison.offsetOf
-import badlog.viewer.choices.comparison.offsetText
-import badlog.viewer.draw.color.LINE_COLORS
-import badlog.viewer.shown.comparison.ComparedLog
+import badlog.page.view.Scene
+import badlog.viewer.panel.comparePanel
+import badlog.viewer.state.CompareRequest
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
-import org.w3c.dom.HTMLSelectElement
 import org.w3c.dom.asList
 import org.w3c.files.File
 
-/** The compared logs with their colors and offsets, and their alignment; hidden if there are none. */
-internal class CompareBar(private val comparison: PageComparison, private val notice: Notice) {
-    private lateinit var alignment: HTMLSelectElement
-    private lateinit var logs: HTMLElement
+/** The compared logs, see [comparePanel], and the button that opens one; hidden if there are none. */
+internal class CompareBar(private val comparison: PageComparison, private val scene: Scene) {
+    private val nodes = PartNodes(scene.palette, scene.store::send)
+    private val notice = scene.notice
     private val unread = ArrayList<OpenedLog>()
     private val failures = ArrayList<String>()
 
@@ -47,15 +42,6 @@ internal class CompareBar(private val comparison: PageComparison, private val no
     val element: HTMLElement = element("section", "compare findings card") {
         id = "compare"
         setAttribute("aria-label", "Compared logs")
-        add("header", "graph-head") {
-            add("h2", "findings-title", "Compared")
-            alignment = add("select").unsafeCast<HTMLSelectElement>()
-            add("div", "graph-tools") {
-                addIconButton("", Icon.PLUS, "Compare with another log") { input.click() }
-                addIconButton("", Icon.CLOSE, "Stop comparing") { comparison.clear() }.id = "stop-comparing"
-            }
-        }
-        logs = add("ul", "compared-logs")
         isHidden = true
     }
 
@@ -70,20 +56,24 @@ internal class CompareBar(private val comparison: PageComparison, private val no
     }
 
     init {
-        alignment.id = "alignment"
-        alignment.setAttribute("aria-label", "Align at")
-        for (way in Alignment.entries) {
-            alignment.add("option", "", "Align: ${way.title}").apply {
-                setAttribute("value", way.name)
-                title = way.hint
-            }
+        comparison.onChange {
+            val parts = comparePanel(comparison.alignment, comparison.openName, comparison.drawn)
+            element.patch(nodes.of(parts))
+            element.isHidden = parts.isEmpty()
         }
-        alignment.addEventListener("change", { comparison.alignBy(Alignment.valueOf(alignment.value)) })
-        comparison.onChange(::list)
     }
 
     /** The files that are not read yet. */
     val waiting: List<File> get() = unread.flatMap { it.files }
+
+    /** Performs [request]. */
+    fun perform(request: CompareRequest) = when (request) {
+        CompareRequest.Choose -> input.click()
+        CompareRequest.Clear -> comparison.clear()
+        is CompareRequest.Align -> comparison.alignBy(request.alignment)
+        is CompareRequest.Move -> comparison.move(request.log, request.offset)
+        is CompareRequest.Remove -> comparison.remove(request.log)
+    }
 
     /** Reads the logs in [files], one after the other, and compares them. */
     fun open(files: List<File>) {
@@ -124,40 +114,5 @@ internal class CompareBar(private val comparison: PageComparison, private val no
             read.topics.all { it.samples.isEmpty() } -> failures += "$name has no samples, so there is nothing to compare."
             else -> comparison.add(log, read)
         }
-    }
-
-    private fun list() {
-        element.isHidden = comparison.drawn.isEmpty()
-        alignment.value = comparison.alignment.name
-        logs.textContent = ""
-        logs.add("li", "compared-log") { addName(0, comparison.openName) }
-        comparison.drawn.forEachIndexed { i, log -> logs.add("li", "compared-log") { fill(i, log) } }
-    }
-
-    private fun HTMLElement.fill(index: Int, log: ComparedLog) {
-        val moveTo = { offset: Double -> comparison.move(index, offset) }
-        val shown = offsetText(log.offset)
-        val (back, on) = OFFSET_STEPS.partition { it.by < 0 }
-        addName(index + 1, log.name)
-        add("span", "compared-moves") {
-            for (step in back) addStep(step, log) { moveTo(log.offset + step.by) }
-            val typed = add("input", "compared-offset").unsafeCast<HTMLInputElement>()
-            typed.value = shown
-            typed.setAttribute("inputmode", "decimal")
-            typed.setAttribute("aria-label", "Offset of ${log.name}")
-            typed.addEventListener("change", { offsetOf(typed.value)?.let(moveTo) ?: run { typed.value = shown } })
-            for (step in on) addStep(step, log) { moveTo(log.offset + step.by) }
-            addIconButton("", Icon.CLOSE, "Stop comparing with ${log.name}") { comparison.remove(index) }
-        }
-    }
-
-    private fun HTMLElement.addName(color: Int, name: String) {
-        add("span", "swatch line-${color % LINE_COLORS}")
-        add("bdi", "", name)
-    }
-
-    private fun HTMLElement.addStep(step: OffsetStep, log: ComparedLog, onClick: () -> Unit) {
-        val hint = step.hintFor(log.name)
-        addButton("compared-step", step.label, hint, onClick).setAttribute("aria-label", hint)
     }
 }

@@ -128,8 +128,11 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
 
     private fun field(field: Field): Node {
         val changed = { event: Event ->
-            val text = event.target.unsafeCast<HTMLInputElement>().value
-            if (text.isNotEmpty() || field.isSearch) send(field.onText(text))
+            val input = event.target.unsafeCast<HTMLInputElement>()
+            val text = input.value
+            if ((text.isNotEmpty() || field.isSearch) && field.isValid(text)) send(field.onText(text))
+            // The attribute has the text that counts.
+            if (!field.isSearch && field.suggestions.isEmpty()) input.value = input.getAttribute("value").orEmpty()
         }
         // Fields with the same suggestions share their list: there may be thousands.
         val index = shared.indexOfFirst { it === field.suggestions }
@@ -173,13 +176,13 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
 
     private fun value(value: Value): Node {
         val name = Node("span", "cut-name", children = listOf(Node("bdi", text = value.name, hint = { value.name })))
-        val text = Node("bdi", "value-text", value.text, hint = value.exact)
-        val tools = value.tools.map { iconButton(it, "pin") }
+        val text = value.field?.let(::field) ?: Node("bdi", "value-text", value.text, hint = value.exact)
+        val tools = value.tools.map { if (it.icon == null) textButton(it) else iconButton(it, "pin") }
         return Node(
             "li",
             value.className + if (value.isMarked) " is-marked" else "",
             key = value.key,
-            children = listOf(name, text) + tools,
+            children = listOfNotNull(value.color?.let(::swatch), name, text) + tools,
         )
     }
 
@@ -250,20 +253,21 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         )
     }
 
+    private fun swatch(color: Int) = Node("span", "swatch line-${color % LINE_COLORS}")
+
     private fun check(check: Check): Node {
         val attributes = mapOf("type" to "checkbox", "aria-label" to check.label, "checked" to "".takeIf { check.isOn })
         return Node("input", attributes = attributes, on = mapOf("change" to { _: Event -> send(check.action) }))
     }
 
     private fun cell(cell: Cell, className: String = ""): Node {
-        val swatch = cell.color?.let { Node("span", "swatch line-${it % LINE_COLORS}") }
         val bar = cell.share?.let {
             Node("progress", "is-${cell.severity?.word}", attributes = mapOf("value" to "$it", "aria-hidden" to "true"))
         }
         // Within its own direction, a slash at the beginning of a name stays there.
         val text = cell.open?.let { textButton(Button(cell.text, it, hint = cell.hint), cell.isUnfolded) }
             ?: Node("span", className, attributes = mapOf("title" to cell.ownHint), children = listOf(Node("bdi", text = cell.text)))
-        return Node("div", children = listOfNotNull(swatch, bar ?: cell.severity?.let(::badge), text) + cell.tools.map(::iconButton))
+        return Node("div", children = listOfNotNull(cell.color?.let(::swatch), bar ?: cell.severity?.let(::badge), text) + cell.tools.map(::iconButton))
     }
 
     private val Cell.ownHint get() = hint.takeIf { it != text }

@@ -65,8 +65,9 @@ private fun HTMLElement.update(node: Node) {
         for (name in before?.attributes.orEmpty().keys) if (node.attributes[name] == null) removeAttribute(name)
         for ((name, value) in node.attributes) if (value != null && before?.attributes?.get(name) != value) setAttribute(name, value)
     }
-    // The attribute does not count any more once a person has pressed the box.
+    // The attributes do not count any more once a person has pressed the box, or typed.
     if (node.attributes["type"] == "checkbox") asDynamic().checked = node.attributes["checked"] != null
+    if (node.tag == "input" && node.attributes["value"] != before?.attributes?.get("value")) asDynamic().value = node.attributes["value"]
     if (node.text != before?.text) {
         textContent = node.text.orEmpty()
         // A tooltip that is still there shows the former value.

@@ -102,6 +102,7 @@ class Fold(override val key: String, val title: String, val isOpen: Boolean, val
  * @property text its text.
  * @property isSearch whether each typed letter has an effect; otherwise only a chosen or confirmed text has one.
  * @property suggestions the texts to choose from.
+ * @property isValid returns whether a text has an effect.
  */
 class Field(
     override val key: String,
@@ -110,6 +111,7 @@ class Field(
     val text: String = "",
     val isSearch: Boolean = false,
     val suggestions: List<String> = emptyList(),
+    val isValid: (String) -> Boolean = { true },
     val onText: (String) -> Action,
 ) : Part
 
@@ -118,6 +120,8 @@ class Field(
  *
  * @property isMarked whether it has just changed.
  * @property tools its buttons.
+ * @property color the index of the color of its lines; null for none.
+ * @property field the field with its text; null if it cannot be typed.
  * @property exact returns the value to the last digit; called only when a person asks for it.
  */
 class Value(
@@ -126,6 +130,8 @@ class Value(
     val text: String,
     val isMarked: Boolean = false,
     val tools: List<Button> = emptyList(),
+    val color: Int? = null,
+    val field: Field? = null,
     val exact: () -> String = { text },
 ) : Part
 

@@ -4,14 +4,21 @@ import badlog.core.analysis.Graph
 import badlog.core.analysis.GraphSeries
 import badlog.viewer.choices.board.BoardLines
 
+/** A log among those that graphs draw. */
+interface DrawnLog {
+    /** Its name beside the others. */
+    val name: String
+
+    /** The number that is added to its x, to align it with the open one. */
+    val offset: Double
+}
+
 /**
  * A log that is drawn over the open one.
  *
- * @property name the log's name beside the others.
  * @property lines the lines of the log, at their logged x.
- * @property offset the number that is added to the log's x.
  */
-class ComparedLog(val name: String, val lines: BoardLines, val offset: Double) {
+class ComparedLog(override val name: String, val lines: BoardLines, override val offset: Double) : DrawnLog {
     private val moved = HashMap<String, GraphSeries?>()
     internal val suffix = " ($name)"
 
