@@ -8,6 +8,7 @@ import badlog.window.export.EXPORT_PAGE
 import badlog.window.export.PageSaver
 import badlog.window.export.figure.FigureSaver
 import badlog.window.folder.Library
+import badlog.window.folder.LogOpener
 import badlog.window.formula.FormulaStore
 import badlog.window.layout.LayoutFiles
 import badlog.window.layout.SAVE_LAYOUT

@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
 import badlog.catalog.folder.IndexQueue
 import badlog.window.folder.Library
+import badlog.window.folder.LogOpener
 import badlog.window.layout.LastOpen
 import badlog.window.log.CurrentRecording
 import badlog.window.log.RecordingLoader

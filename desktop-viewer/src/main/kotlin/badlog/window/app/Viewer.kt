@@ -2,7 +2,6 @@ package badlog.window.app
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
-import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshots.Snapshot
 import badlog.catalog.folder.LogEntry
 import badlog.core.analysis.EnabledSpan
@@ -32,6 +31,7 @@ import badlog.window.files.sayNoLog
 import badlog.window.findings.CurrentFindings
 import badlog.window.folder.Library
 import badlog.window.folder.LibraryActions
+import badlog.window.folder.LogOpener
 import badlog.window.folder.NewLogs
 import badlog.window.folder.SinceLastMatch
 import badlog.window.formula.FormulaStore
@@ -62,7 +62,6 @@ import badlog.window.robot.RobotRecording
 import badlog.window.settings.OwnFiles
 import badlog.window.settings.Settings
 import badlog.window.settings.SettingsStore
-import badlog.window.sidebar.AcrossChoice
 import badlog.window.sidebar.FrontPart
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
@@ -80,7 +79,6 @@ import badlog.window.video.Player
 import badlog.window.video.isVideo
 import badlog.window.video.unpackFfmpegInto
 import badlog.window.welcome.SampleLog
-import badlog.window.welcome.WelcomeActions
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import java.awt.Toolkit
@@ -109,7 +107,7 @@ internal class Viewer(
     val panels = WindowPanels()
     val library = Library(scope, folders.answers, settings)
     val current = CurrentRecording()
-    val store: Store = Store(StateVariable(), shownOfLog()) { requests.perform(it) }
+    val store: Store = Store(StateVariable(), shownOfLog()) { perform(it) }
     val view = AxisView(store)
     val board: GraphBoard = GraphBoard(store, ::isDrawn)
     private val reader = RecordingReader({ library.state.folder }, ::choicesFor)
@@ -125,7 +123,6 @@ internal class Viewer(
         }
     val events = FilteredEvents(current)
     val topics = TopicListing()
-    val across = AcrossChoice()
     val player = Player(current, view)
     val findings: CurrentFindings = CurrentFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val since = SinceLastMatch(current, library)
@@ -197,10 +194,9 @@ internal class Viewer(
         openInGraphs = ::openInGraphs,
         openFindings = ::openFindings,
         check = compared::toggle,
-        askForFolder = opener::askForFolder,
-        askForLog = opener::askForLog,
-        canCloseLog = { current.recording != null && library.state.isWithoutLogs },
-        closeLog = ::closeLog,
+        opener = opener,
+        // A folder's log stays open until another replaces it.
+        closeLog = { ::closeLog.takeIf { current.recording != null && library.state.isWithoutLogs } },
         toggleTable = { panels.change { toggled(MainView.LOGS) } },
         toggleCharts = { panels.change { toggled(MainView.CHARTS) } },
         togglePit = { panels.change { toggled(MainView.PIT) } },
@@ -208,11 +204,7 @@ internal class Viewer(
         toggleTodo = { panels.change { toggled(MainView.TODO) } },
         showGraphs = { panels.change { copy(main = MainView.GRAPHS) } },
     )
-    val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
     val spoken = SpokenCursor(current, board, view)
-    private val findingRequests = FindingRequests(current, findings, board, compared, since, panels, spoken)
-    private val requests: WindowRequests =
-        WindowRequests(board, formulas, findingRequests, compared, notes, keptLayouts, panels, video, spoken, todo, batteries)
     val keyboard = Keyboard()
 
     /** All keyboard commands, in the order of the help. */
@@ -342,7 +334,7 @@ internal class Viewer(
     }
 
     /** Opens the sample match without its folder. That folder is part of the cache, not a place for the user’s own logs. */
-    private fun openSample() {
+    fun openSample() {
         tasks.run("Opening the sample match", { SampleLog.unpack(folders.cache) }, loader::open)
     }
 
@@ -357,7 +349,8 @@ internal class Viewer(
         panels.change { copy(main = MainView.GRAPHS, front = FrontPart.GRAPHS) }
     }
 
-    private fun askForRobot() {
+    /** Asks for the robot to copy logs from, and first for a folder if there is none yet. */
+    fun askForRobot() {
         if (library.state.folder == null) opener.askForFolder("Select a folder for the robot’s logs")
         if (library.state.folder == null) return
         panels.change { copy(library = true, main = MainView.GRAPHS, front = FrontPart.LOGS) }

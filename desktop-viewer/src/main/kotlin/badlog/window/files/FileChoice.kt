@@ -1,9 +1,12 @@
 package badlog.window.files
 
+import badlog.files.LogName
+import badlog.files.safeName
 import badlog.window.task.Notices
 import java.awt.FileDialog
 import java.awt.Frame
 import java.io.FilenameFilter
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import javax.swing.JFileChooser
@@ -91,3 +94,31 @@ internal fun askToWrite(files: FileChoice, notices: Notices, title: String, fold
 
 /** Complains that no log is open. */
 internal fun sayNoLog(notices: Notices) = notices.complain("Open a log first.")
+
+/** Returns [text] as the name of a file on any system. It has no forbidden characters, is not the name of a device, and is not too long. */
+internal fun fileNameOf(text: String): String = text.map { if (it.isISOControl() || it in FORBIDDEN) '-' else it }
+    .joinToString("")
+    .trim(' ', '.')
+    .take(MAX_LENGTH)
+    .ifEmpty { "badlog" }
+    .let(::safeName)
+
+/** Returns the name of [file] without the endings of its format. */
+internal fun stemOf(file: Path): String = fileNameOf(LogName.of(file.fileName.toString()).stem)
+
+private const val FORBIDDEN = "\\/:*?\"<>|"
+private const val MAX_LENGTH = 120
+
+/** Returns the file or folder that prevents files from being written in [folder], which need not exist. Null if none is known. */
+internal fun obstacleTo(folder: Path): Path? {
+    val nearest = generateSequence(folder.toAbsolutePath()) { it.parent }.firstOrNull { Files.exists(it) }
+    return nearest?.takeUnless { Files.isDirectory(it) && (Files.isWritable(it) || takesFile(it)) }
+}
+
+/** Returns whether a file can be created in [folder]. On Windows, Java mistakes some folders of a network for read-only ones. */
+private fun takesFile(folder: Path): Boolean = try {
+    Files.delete(Files.createTempFile(folder, ".badlog-", ".part"))
+    true
+} catch (_: IOException) {
+    false
+}

@@ -45,47 +45,28 @@ import java.nio.file.Path
 internal fun FolderMenu(library: Library, settings: SettingsStore, actions: LibraryActions, modifier: Modifier = Modifier) {
     var isOpen by remember { mutableStateOf(false) }
     val folder = library.state.folder
+    val line = @Composable { title: String, press: () -> Unit ->
+        MenuLine(title) {
+            isOpen = false
+            press()
+        }
+    }
     val lines = @Composable {
-        MenuLine("Open folder…") {
-            isOpen = false
-            actions.askForFolder()
-        }
-        MenuLine("Open file…") {
-            isOpen = false
-            actions.askForLog()
-        }
-        if (actions.canCloseLog()) {
-            MenuLine("Close log") {
-                isOpen = false
-                actions.closeLog()
-            }
-        }
+        line("Open folder…") { actions.opener.askForFolder() }
+        line("Open file…", actions.opener::askForLog)
+        actions.closeLog()?.let { line("Close log", it) }
         if (folder != null) {
             HorizontalDivider()
-            MenuLine("Pit view (I)") {
-                isOpen = false
-                actions.togglePit()
-            }
-            MenuLine("Batteries (Shift+B)") {
-                isOpen = false
-                actions.toggleBatteries()
-            }
-            MenuLine("To do (D)") {
-                isOpen = false
-                actions.toggleTodo()
-            }
+            line("Pit view (I)", actions.togglePit)
+            line("Batteries (Shift+B)", actions.toggleBatteries)
+            line("To do (D)", actions.toggleTodo)
             MenuLine("Sound when a log arrives", Icons.Check.takeIf { settings.state.ringsForLogs }) {
                 settings.change { copy(ringsForLogs = !ringsForLogs) }
             }
         }
         val others = settings.state.recentFolders.filter { it != folder?.toString() }
         if (others.isNotEmpty()) HorizontalDivider()
-        for (recent in others) {
-            MenuLine(recent) {
-                isOpen = false
-                library.open(Path.of(recent))
-            }
-        }
+        for (recent in others) line(recent) { library.open(Path.of(recent)) }
     }
     MenuBox(isOpen, { isOpen = false }, modifier, lines) {
         Tip(folder?.toString() ?: "Open a folder of logs") {

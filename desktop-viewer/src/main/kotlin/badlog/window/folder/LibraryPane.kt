@@ -160,7 +160,7 @@ internal fun LibraryEmptiness(library: Library, actions: LibraryActions, modifie
     Column(modifier.padding(16.dp), verticalArrangement = Arrangement.spacedBy(12.dp)) {
         Text(emptinessOf(library.state), color = LocalPalette.current.muted)
         if (library.state.listing.size == 0) {
-            ToolButton("Open a folder of logs", Icons.Folder, text = "Open folder…") { actions.askForFolder() }
+            ToolButton("Open a folder of logs", Icons.Folder, text = "Open folder…") { actions.opener.askForFolder() }
         } else {
             ToolButton("List all logs", Icons.Reset, text = "List all logs") {
                 library.change { filtered("").hidingEmpty(false).onlyErrors(false) }

@@ -16,6 +16,8 @@ import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.input.pointer.PointerIcon
+import androidx.compose.ui.input.pointer.pointerHoverIcon
 import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.contentDescription
@@ -26,11 +28,17 @@ import badlog.viewer.draw.color.Shade
 import badlog.viewer.draw.plot.PlotMarks
 import badlog.viewer.draw.plot.drawCursors
 import badlog.viewer.draw.plot.drawFinding
+import badlog.viewer.draw.plot.drawFlag
 import badlog.viewer.draw.plot.drawOverview
 import badlog.viewer.draw.plot.drawSelection
 import badlog.viewer.draw.plot.drawVisible
+import badlog.viewer.draw.plot.drawXBar
 import badlog.viewer.session.gesture.OverviewGestures
+import badlog.viewer.session.gesture.PlotGestures
+import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.shown.outline.everChanges
+import badlog.viewer.text.cursorText
+import badlog.viewer.text.differenceText
 import badlog.window.graph.plot.OVERVIEW
 import badlog.window.graph.plot.PictureEffect
 import badlog.window.graph.plot.PlotRequest
@@ -111,3 +119,49 @@ private fun DrawScope.drawWindow(scene: GraphScene, palette: Palette) {
 }
 
 private const val HEIGHT = 48
+
+/** The common x axis below the graphs, with the cursor's place; dragging it pans. */
+@Composable
+internal fun XAxisBar(scene: GraphScene) {
+    val palette = LocalPalette.current
+    val gestures = remember(scene) { PlotGestures(ViewTarget(scene), isAxis = true) }
+    Box(Modifier.fillMaxWidth().height(AXIS_HEIGHT.dp).background(palette.surface)) {
+        Box(
+            Modifier
+                .fillMaxSize()
+                .padding(start = GraphScene.LEFT_GUTTER, end = scene.rightGutter)
+                .pointerHoverIcon(PointerIcon.Hand)
+                .semantics { contentDescription = "Axis" }
+                .receives(gestures)
+                .drawBehind {
+                    val axis = scene.current.recording?.view?.xAxis ?: return@drawBehind
+                    val visible = scene.view.viewport.visible
+                    val frame = frameOf(visible)
+                    val pen = pen()
+                    pen.drawXBar(frame, axis.title, palette.pen)
+                    val clocks = scene.current.recording?.clocks
+                    for (flag in flagsOf(scene.view.cursors)) {
+                        if (flag.x !in visible) continue
+                        val other = if (flag.isMain) clocks?.textAt(flag.x) else flag.from?.let { differenceText(it, flag.x, axis) }
+                        val text = flag.name + cursorText(flag.x, axis, visible.width, other.orEmpty())
+                        pen.drawFlag(frame, flag.x, text, flag.shade, palette.pen)
+                    }
+                },
+        )
+    }
+}
+
+/** A flag on the axis at [x], called [name]. It has all clocks if [isMain], otherwise the distance from the cursor at [from]. */
+private class Flag(val x: Double, val name: String, val shade: Shade, val isMain: Boolean, val from: Double? = null)
+
+/** Returns the flags of [cursors], the more important ones last. Pinned cursors have the accent color. */
+private fun flagsOf(cursors: Cursors): List<Flag> {
+    val (a, b, hover) = cursors
+    return listOfNotNull(
+        hover?.let { Flag(it, "", if (a == null) Shade.CURSOR else Shade.MUTED, isMain = a == null, from = a) },
+        b?.let { Flag(it, "B ", Shade.ACCENT, isMain = false, from = a) },
+        a?.let { Flag(it, if (b == null) "" else "A ", Shade.ACCENT, isMain = true) },
+    )
+}
+
+private const val AXIS_HEIGHT = 24

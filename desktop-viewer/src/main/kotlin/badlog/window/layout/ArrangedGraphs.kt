@@ -1,13 +1,20 @@
 package badlog.window.layout
 
+import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.FittedBoard
+import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.choices.board.identifiedByLines
 import badlog.viewer.choices.board.withFallback
+import badlog.viewer.choices.comparison.LogOffsets
 import badlog.viewer.state.BoardAction
+import badlog.window.compare.ComparedRecordings
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.task.Notices
+import java.nio.file.Files
+import java.nio.file.Path
 
 /**
  * The graphs that are arranged for a folder, on the board of its open log. Use it only on the window's thread. Graphs that this log cannot
@@ -105,4 +112,22 @@ internal class ArrangedGraphs(
         val ids = other.graphs.mapTo(HashSet()) { it.id }
         return Board(graphs.filter { it.id !in ids })
     }
+}
+
+/** Fits [board] to [recording]. A formula that fails there does not count as missing: the list of topics says why. */
+internal fun fitted(board: Board, recording: OpenRecording): FittedBoard =
+    board.fittedTo(excused = recording.formulas.mapNotNullTo(HashSet()) { it.name }) { recording.signal(it) != null }
+
+/** Returns [span] in the window's form; null if it is not valid. */
+internal fun spanOf(span: LayoutSpan): Span? =
+    if (span.from < span.to && span.from.isFinite() && span.to.isFinite()) Span(span.from, span.to) else null
+
+/** Compares the open recording with the files in [layout] of [folder], as they were aligned; missing files are skipped. */
+internal fun ComparedRecordings.restore(layout: LayoutComparison, folder: Path?) {
+    fun fileOf(text: String) = pathOf(text, folder)?.toAbsolutePath()?.normalize()
+    val files = layout.files.mapNotNull(::fileOf).distinct().filter(Files::isRegularFile)
+    val offsets = layout.offsets.entries.mapNotNull { (text, offset) -> fileOf(text)?.let { it to offset } }
+    state.checked.filter { it !in files }.forEach(::remove)
+    files.filter { it !in state.checked }.forEach(::add)
+    change { copy(offsets = LogOffsets(alignmentOf(layout), offsets.toMap())) }
 }

@@ -1,9 +1,10 @@
 package badlog.window.layout
 
 import badlog.files.locking
-import badlog.window.settings.keyOf
 import java.io.IOException
 import java.nio.file.Path
+import java.security.MessageDigest
+import java.util.HexFormat
 
 /** The last layouts of folders, in the user's own files below [place]. Use it off the window's thread. */
 internal class FolderLayouts(private val place: Path) {
@@ -26,3 +27,12 @@ internal class FolderLayouts(private val place: Path) {
 
     private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")
 }
+
+/** Returns a name for a file with data about [folder]. The folder's path may be too long for a file name. */
+internal fun keyOf(folder: Path): String {
+    val path = folder.toAbsolutePath().normalize().toString()
+    val digest = MessageDigest.getInstance("SHA-256").digest(path.encodeToByteArray())
+    return HexFormat.of().formatHex(digest, 0, BYTES)
+}
+
+private const val BYTES = 16

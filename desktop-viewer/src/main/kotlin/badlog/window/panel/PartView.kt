@@ -4,6 +4,8 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
@@ -12,15 +14,18 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.text.selection.SelectionContainer
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
@@ -28,6 +33,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.panel.Button
@@ -51,9 +57,12 @@ import badlog.viewer.panel.Trouble
 import badlog.viewer.panel.Value
 import badlog.viewer.state.Action
 import badlog.window.findings.findingColor
+import badlog.window.findings.findingSoft
 import badlog.window.pen.pen
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 import badlog.viewer.panel.Row as PanelRow
@@ -132,6 +141,7 @@ internal val PartIcon.vector: ImageVector
         PartIcon.NOTE -> Icons.Note
         PartIcon.ZOOM -> Icons.Search
         PartIcon.CLOSE -> Icons.Close
+        PartIcon.COPY -> Icons.Copy
         PartIcon.DONE -> Icons.Check
         PartIcon.PERSON -> Icons.Flag
         PartIcon.UNDONE -> Icons.Undo
@@ -215,3 +225,121 @@ private fun PictureView(picture: Picture) {
         },
     )
 }
+
+/** Shows [value] between its buttons: icons, as small as its text, come first. */
+@Composable
+internal fun ValueView(value: Value, send: (Action) -> Unit) {
+    val palette = LocalPalette.current
+    Row(
+        Modifier.fillMaxWidth()
+            .background(if (value.isMarked) palette.accentSoft else Color.Transparent)
+            .padding(start = 12.dp, end = 14.dp, top = 1.dp, bottom = 1.dp),
+        horizontalArrangement = Arrangement.spacedBy(8.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        val (words, icons) = value.tools.partition { it.icon == null }
+        for (tool in icons) {
+            val icon = tool.icon?.vector ?: continue
+            val press = Modifier.size(14.dp).clickable(role = Role.Button) { send(tool.action) }
+            Icon(icon, tool.hint, press, if (tool.isOn == true) palette.accent else palette.muted)
+        }
+        value.color?.let { Box(Modifier.size(10.dp).background(palette.line(it), RoundedCornerShape(2.dp))) }
+        NameText(value.name, Modifier.weight(1f), color = palette.muted)
+        value.field?.let { FieldView(it, send) } ?: Tip(value.exact, Modifier.weight(0.8f)) {
+            Text(value.text, fontWeight = FontWeight.Medium, maxLines = value.maxLines, overflow = TextOverflow.Ellipsis)
+        }
+        ButtonsView(words, send)
+    }
+}
+
+/** Shows [trouble] with its place in a file, if it has one. */
+@Composable
+internal fun TroubleView(trouble: Trouble) {
+    Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 4.dp, bottom = 4.dp), Arrangement.spacedBy(8.dp)) {
+        Box(Modifier.width(58.dp)) { SeverityBadge(trouble.severity, trouble.word) }
+        SelectionContainer(Modifier.weight(1f)) {
+            Column {
+                Text(trouble.text, maxLines = 8, overflow = TextOverflow.Ellipsis)
+                if (trouble.place.isNotEmpty()) {
+                    Text(
+                        trouble.place,
+                        color = LocalPalette.current.muted,
+                        fontSize = 12.sp,
+                        maxLines = 2,
+                        overflow = TextOverflow.Ellipsis,
+                    )
+                }
+                if (trouble.pointer.isNotEmpty()) Pointer(trouble.pointer)
+            }
+        }
+    }
+}
+
+@Composable
+private fun Pointer(text: String) {
+    val scroll = rememberScrollState()
+    LaunchedEffect(text, scroll.maxValue) { scroll.scrollTo((scroll.maxValue * placeOfCarets(text)).toInt()) }
+    // Not wrapped: a wrapped line would not be above its carets.
+    Text(
+        text.take(MAX_LETTERS),
+        Modifier.horizontalScroll(scroll),
+        fontFamily = FontFamily.Monospace,
+        fontSize = 11.sp,
+        lineHeight = 14.sp,
+        softWrap = false,
+    )
+}
+
+/** Returns the place of the carets in the last line of [text], as a share of its longest line, 0 to 1. */
+private fun placeOfCarets(text: String): Float =
+    text.lastIndexOf(' ').minus(text.lastIndexOf('\n')).toFloat() / text.lines().maxOf { it.length }.coerceAtLeast(1)
+
+private const val MAX_LETTERS = 2000
+
+/** Shows [cards] beside each other, or below each other in a narrow place. */
+@Composable
+internal fun CardsView(cards: Cards, send: (Action) -> Unit) {
+    BoxWithConstraints(Modifier.fillMaxWidth()) {
+        if (maxWidth < NARROW) {
+            Column { for (card in cards.cards) CardView(card, send) }
+        } else {
+            Row { for (card in cards.cards) CardView(card, send, Modifier.weight(1f)) }
+        }
+    }
+}
+
+/** Shows [card] in a frame. */
+@Composable
+internal fun CardView(card: Card, send: (Action) -> Unit, modifier: Modifier = Modifier) {
+    val palette = LocalPalette.current
+    val color = card.severity?.let(palette::findingColor) ?: palette.text
+    val press = card.open?.let { open -> Modifier.clickable(role = Role.Button, onClickLabel = card.hint) { send(open) } } ?: Modifier
+    Column(
+        modifier
+            .padding(horizontal = 12.dp, vertical = 4.dp)
+            .fillMaxWidth()
+            .background(card.severity?.let(palette::findingSoft) ?: palette.raised, RoundedCornerShape(6.dp))
+            .then(press)
+            .padding(if (card.isLarge) 12.dp else 8.dp),
+        Arrangement.spacedBy(if (card.isLarge) 8.dp else 2.dp),
+    ) {
+        if (card.title.isNotEmpty()) NameText(card.title, fontSize = SIZE, fontWeight = FontWeight.SemiBold, cut = NameCut.MIDDLE)
+        val size = if (card.isLarge) SIZE * 2 else SIZE
+        if (card.headline.isNotEmpty()) {
+            Text(
+                card.headline,
+                color = color,
+                fontSize = size,
+                fontWeight = FontWeight.Bold,
+                lineHeight = size * LINE,
+                maxLines = 3,
+                overflow = TextOverflow.Ellipsis,
+            )
+        }
+        for (line in card.lines) Text(line, fontSize = SIZE, lineHeight = SIZE * LINE, maxLines = 3, overflow = TextOverflow.Ellipsis)
+    }
+}
+
+private val SIZE = 14.sp
+private const val LINE = 1.25
+private val NARROW = 360.dp

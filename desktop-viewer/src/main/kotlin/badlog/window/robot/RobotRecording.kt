@@ -14,8 +14,12 @@ import badlog.networktables.record.lostText
 import badlog.networktables.record.robotServers
 import badlog.viewer.text.bytesText
 import badlog.viewer.text.countText
+import badlog.window.log.CurrentRecording
+import badlog.window.log.LiveView
+import badlog.window.log.RecordingLoader
 import badlog.window.state.StateHolder
 import badlog.window.task.FileWrites
+import badlog.window.task.NoticeAction
 import badlog.window.task.Notices
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.CoroutineStart
@@ -24,6 +28,8 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.TimeSource
 
 /**
  * Records the data that a robot publishes on NetworkTables into the window's folder, without code on the robot. Use it only on the window's
@@ -143,5 +149,73 @@ internal class RobotRecording(
 
     private companion object {
         val PERIOD = 100.milliseconds
+    }
+}
+
+/**
+ * A recording of the data that a robot publishes, as the window shows it.
+ *
+ * @property isOn whether the window is recording.
+ * @property isPerEnable whether each time that the robot is enabled gets a log of its own.
+ * @property isOfAll whether the other servers of a 2027 robot and of its Driver Station are also recorded.
+ * @property connection the state of the connection to the robot, as a sentence.
+ * @property file the log that is being written; null for none.
+ * @property amount the amount of data in the log; empty without a log.
+ */
+internal data class RecordingState(
+    val isOn: Boolean = false,
+    val isPerEnable: Boolean = false,
+    val isOfAll: Boolean = false,
+    val connection: String = "",
+    val file: Path? = null,
+    val amount: String = "",
+) {
+    /** The condition for which the recording waits, as a sentence; null while a log is being written. */
+    val waiting: String?
+        get() = when {
+            file != null -> null
+            isPerEnable -> "A log begins when the robot is enabled."
+            else -> "A log begins when the robot answers."
+        }
+}
+
+/**
+ * Shows the log that the window records, unless a person looks at another one. Use it only on the window's thread.
+ *
+ * @param isWriting returns whether a person is writing something that belongs to the open log.
+ */
+internal class RecordedLog(
+    private val current: CurrentRecording,
+    private val live: LiveView,
+    private val loader: RecordingLoader,
+    private val notices: Notices,
+    private val isWriting: () -> Boolean,
+) {
+    private var askedSince: TimeSource.Monotonic.ValueTimeMark? = null
+    private var openBefore: Path? = null
+
+    /** Remembers the open log when a person begins to record, and that the person expects to see the recording soon. */
+    fun started() {
+        openBefore = current.recording?.file
+        askedSince = TimeSource.Monotonic.markNow()
+    }
+
+    /** Shows [log], which is now being recorded, at its newest moment, or offers to show it. */
+    fun begun(log: Path) {
+        val open = current.recording?.file
+        val isJustAsked = open == openBefore && askedSince?.let { it.elapsedNow() < PATIENCE } == true
+        askedSince = null
+        val isFree = !loader.isReading && !isWriting() && (open == null || isJustAsked || live.isUntouched)
+        if (isFree) show(log) else notices.say("${log.fileName} is being recorded.", NoticeAction("Show") { show(log) })
+    }
+
+    private fun show(log: Path) {
+        live.await(log)
+        loader.open(log)
+    }
+
+    private companion object {
+        /** The time after which a person is assumed to be doing something else. */
+        val PATIENCE = 10.seconds
     }
 }

@@ -14,12 +14,8 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
-import androidx.compose.runtime.rememberCoroutineScope
 import androidx.compose.ui.Alignment
-import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.ClipEntry
-import androidx.compose.ui.platform.LocalClipboard
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import badlog.core.analysis.LogView
@@ -44,8 +40,6 @@ import badlog.window.theme.ToolButton
 import badlog.window.todo.FolderTodo
 import badlog.window.video.LogVideo
 import badlog.window.video.VideoPanel
-import kotlinx.coroutines.launch
-import java.awt.datatransfer.StringSelection
 
 /** The panel on the right: events, metadata, problems, statistics, findings, notes, values at the cursor, video, modules. */
 @Composable
@@ -97,7 +91,7 @@ internal fun InspectorPane(
             when (tab) {
                 InspectorTab.EVENTS -> EventsPanel(view, events, open, go, Modifier.fillMaxSize())
 
-                InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
+                InspectorTab.VALUES -> MetadataPanel(view, open, Modifier.fillMaxSize())
 
                 InspectorTab.PROBLEMS -> {
                     val parts = remember(open) { problemsPanel(open.view.problems) }
@@ -186,12 +180,3 @@ private fun countOf(tab: InspectorTab, findings: CurrentFindings, notes: LogNote
 
 /** Returns the number of errors and warnings in [view]. Notes do not count, because healthy logs have them, too. */
 internal fun problemsIn(view: LogView): Int = view.count(Severity.ERROR) + view.count(Severity.WARNING)
-
-/** Returns a function that copies a text to the clipboard. */
-@OptIn(ExperimentalComposeUiApi::class)
-@Composable
-internal fun rememberCopy(): (String) -> Unit {
-    val clipboard = LocalClipboard.current
-    val scope = rememberCoroutineScope()
-    return remember(clipboard, scope) { { text -> scope.launch { clipboard.setClipEntry(ClipEntry(StringSelection(text))) } } }
-}

@@ -1,11 +1,22 @@
 package badlog.window.task
 
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.SideEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableIntStateOf
+import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.window.LocalWindowExceptionHandlerFactory
+import androidx.compose.ui.window.WindowExceptionHandler
+import androidx.compose.ui.window.WindowExceptionHandlerFactory
 import kotlinx.coroutines.CoroutineExceptionHandler
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.SupervisorJob
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.job
 import kotlinx.coroutines.plus
 import java.io.IOException
@@ -14,7 +25,9 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 import java.time.LocalDateTime
 import java.time.temporal.ChronoUnit
+import javax.swing.JOptionPane
 import javax.swing.SwingUtilities
+import kotlin.time.Duration.Companion.seconds
 
 /**
  * Receives uncaught exceptions, which are defects of badlog. They are written to [log] and reported in a sentence. The window stays open,
@@ -79,3 +92,34 @@ internal class FailureLog(cache: Path) {
         const val MAX_BYTES = 1L shl 20
     }
 }
+
+/** Makes the windows of [content] report failures to [failures] rather than close. */
+@OptIn(ExperimentalComposeUiApi::class)
+@Composable
+internal fun FailureBoundary(failures: Failures, content: @Composable () -> Unit) {
+    val factory = remember(failures) { WindowExceptionHandlerFactory { WindowExceptionHandler(failures::handle) } }
+    CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides factory, content = content)
+}
+
+/** Records in [failures] that the window is still updated. */
+@Composable
+internal fun FailuresSeen(failures: Failures) {
+    val count = failures.count
+    SideEffect { failures.seen = count }
+}
+
+/**
+ * Ends the program if a failure has frozen the window's picture, as failures during composition do. Reports this if [failures] are not
+ * shown although the window [isInSight], and then calls [end]. Suspends until cancelled.
+ */
+internal suspend fun endWhenStuck(failures: Failures, isInSight: () -> Boolean, end: () -> Unit) {
+    snapshotFlow { failures.count }.collectLatest { count ->
+        delay(PATIENCE)
+        if (failures.seen >= count || !isInSight()) return@collectLatest
+        val sentence = "badlog failed and has to close; start it again, and send us ${failures.file}."
+        JOptionPane.showMessageDialog(null, sentence, "badlog", JOptionPane.ERROR_MESSAGE)
+        end()
+    }
+}
+
+private val PATIENCE = 3.seconds

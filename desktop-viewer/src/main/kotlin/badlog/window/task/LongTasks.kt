@@ -6,12 +6,19 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
+import kotlinx.coroutines.SupervisorJob
+import kotlinx.coroutines.async
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.job
+import kotlinx.coroutines.joinAll
 import kotlinx.coroutines.launch
+import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.runInterruptible
+import kotlinx.coroutines.withTimeoutOrNull
+import java.awt.EventQueue
 import java.io.IOException
 import java.util.concurrent.atomic.AtomicReference
+import kotlin.time.Duration.Companion.seconds
 
 /**
  * A task that a person waits for.
@@ -72,5 +79,33 @@ internal class LongTasks(private val scope: CoroutineScope, private val notices:
 
     private companion object {
         const val PROGRESS_MILLIS = 50L
+    }
+}
+
+/**
+ * Asserts that work on files and whole logs is off the window's thread, which it would block. It has an effect only in tests and in
+ * development.
+ */
+internal fun assertOffWindow() = assert(!EventQueue.isDispatchThread()) { "A file or a whole log is worked on by the window’s thread." }
+
+/** Writes a person's changes to the disk, off the window's thread, one after another. Closing the window waits for them. */
+internal class FileWrites {
+    private val scope = CoroutineScope(SupervisorJob() + Dispatchers.IO.limitedParallelism(1))
+
+    /** Runs [work] after all earlier work, and returns its result. It runs even if the caller is cancelled. */
+    suspend fun <T> write(work: () -> T): T = scope.async { work() }.await()
+
+    /** Runs [last], which may [write], and waits until everything is written. It waits only a moment if a USB stick does not respond. */
+    fun finish(last: suspend () -> Unit = {}) {
+        runBlocking {
+            withTimeoutOrNull(LONGEST) {
+                last()
+                scope.coroutineContext.job.children.toList().joinAll()
+            }
+        }
+    }
+
+    private companion object {
+        val LONGEST = 3.seconds
     }
 }

@@ -1,6 +1,10 @@
 package badlog.window.theme
 
+import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.LocalContentColor
 import androidx.compose.material3.LocalTextStyle
 import androidx.compose.runtime.Composable
@@ -25,6 +29,8 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.constrain
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
 import badlog.viewer.shown.folder.beginsWord
 import kotlin.math.ceil
 
@@ -147,3 +153,25 @@ private const val ELLIPSIS = "…"
 
 /** The number of layouts that are kept. The whole name is measured for its size, and again when it is drawn. */
 private const val MEASURED = 3
+
+/** The color of a line in a legend, by its number; pale if the line is hidden. */
+@Composable
+internal fun LineColor(number: Int, isHidden: Boolean) {
+    val color = LocalPalette.current.line(number).copy(alpha = if (isHidden) HIDDEN else 1f)
+    Spacer(Modifier.size(10.dp, 3.dp).background(color, RoundedCornerShape(2.dp)))
+}
+
+/** The name of a line in a legend, struck out if the line is hidden. */
+@Composable
+internal fun LineName(name: String, isHidden: Boolean) {
+    val palette = LocalPalette.current
+    NameText(
+        name,
+        Modifier.widthIn(max = 260.dp),
+        color = if (isHidden) palette.muted else palette.text,
+        fontSize = 12.sp,
+        textDecoration = if (isHidden) TextDecoration.LineThrough else null,
+    )
+}
+
+private const val HIDDEN = 0.35f

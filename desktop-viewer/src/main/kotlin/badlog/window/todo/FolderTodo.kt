@@ -13,14 +13,15 @@ import badlog.rules.folder.FolderRules
 import badlog.signals.match.localSecondOf
 import badlog.viewer.panel.folder.ListedTodo
 import badlog.viewer.state.FolderRequest
+import badlog.viewer.todo.CheckedLine
 import badlog.viewer.todo.FaultTask
 import badlog.viewer.todo.FoundFault
+import badlog.viewer.todo.TodoChange
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoList
 import badlog.viewer.todo.TodoLog
 import badlog.viewer.todo.TodoSubject
 import badlog.viewer.todo.recentOf
-import badlog.viewer.todo.toMarkdown
 import badlog.viewer.todo.toPage
 import badlog.window.files.FileChoice
 import badlog.window.files.askToWrite
@@ -139,9 +140,6 @@ internal class FolderTodo(
         write(request.subject, request.deed, request.by ?: author)
     }
 
-    /** The list and the checklist as Markdown. */
-    fun markdown(): String = state.list.toMarkdown(state.lines)
-
     /** Asks for a file, and writes the list and the checklist to it as a page. */
     fun savePage() {
         val folder = library.state.folder ?: return notices.complain("Open a folder of logs first; the list is kept beside them.")
@@ -187,5 +185,37 @@ private fun foundLogs(
         val key = entry.source to entry.found?.key
         val faults = known[key] ?: examined(entry)?.findings?.map(FoundFault::of)?.also { known[key] = it }
         log.copy(faults = faults.orEmpty())
+    }
+}
+
+/**
+ * The to-do list of the open folder, as the window knows it.
+ *
+ * @property folder the folder that stores it; null while no folder is open.
+ * @property files the content that was read last.
+ * @property written the changes by this window since then.
+ * @property logs the logs of the folder, with their findings.
+ * @property ofRules the lines of the checklist that come from the folder's rules.
+ */
+internal data class TodoState(
+    val folder: TodoFolder? = null,
+    val files: TodoFiles = TodoFiles(),
+    val written: List<TodoChange> = emptyList(),
+    val logs: List<TodoLog> = emptyList(),
+    val ofRules: List<String> = emptyList(),
+) {
+    /** The list. */
+    val list: TodoList by lazy { TodoList.of(files.changes + written, logs) }
+
+    /** The lines of the checklist: the lines of the rules, then the team's own. */
+    val lines: List<String> get() = (ofRules + files.checklist).distinct()
+
+    /** The checklist before the next match. */
+    val checklist: List<CheckedLine> by lazy { list.checklist(lines) }
+
+    /** Returns the state with the [read] content, and without the written changes that it contains. */
+    fun reading(read: TodoFiles, ofRules: List<String>): TodoState {
+        val ids = read.changes.mapTo(HashSet()) { it.id }
+        return copy(files = read, ofRules = ofRules, written = written.filter { it.id !in ids })
     }
 }

@@ -54,14 +54,11 @@ import badlog.window.formula.formulaMenu
 import badlog.window.graph.quoted
 import badlog.window.graph.signalTransfer
 import badlog.window.log.AxisView
-import badlog.window.log.CurrentRecording
 import badlog.window.log.DrawableTopic
-import badlog.window.log.FilteredEvents
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.log.valueText
 import badlog.window.menu.ContextArea
-import badlog.window.sidebar.WindowPanels
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameText
@@ -76,22 +73,21 @@ import kotlinx.coroutines.withContext
  *
  * @param place the number of its line's color in the first graph that draws it; null if none does.
  * @param showsValue whether its value fits beside its name.
+ * @param toggle draws a signal, or removes it.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
 internal fun SignalLine(
-    current: CurrentRecording,
     board: GraphBoard,
     view: AxisView,
-    events: FilteredEvents,
     formulas: FormulaStore,
     topics: TopicListing,
-    panels: WindowPanels,
     open: OpenRecording,
     row: SignalRow,
     rows: List<TopicRow>,
     place: Int?,
     showsValue: Boolean,
+    toggle: (DrawableTopic) -> Unit,
 ) {
     val palette = LocalPalette.current
     val signal = row.signal
@@ -122,7 +118,7 @@ internal fun SignalLine(
                     when {
                         held.isShiftPressed -> topics.change { selectedTo(signal.name, rows) }
                         held.isCtrlPressed || held.isMetaPressed -> topics.change { toggled(signal.name) }
-                        else -> toggleIn(current, board, events, topics, panels, signal)
+                        else -> toggle(signal)
                     }
                 }
                 .semantics {

@@ -8,6 +8,7 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
@@ -19,9 +20,11 @@ import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.foundation.selection.toggleable
 import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.produceState
 import androidx.compose.runtime.remember
@@ -42,6 +45,7 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -52,11 +56,14 @@ import badlog.window.compare.ComparedRecordings
 import badlog.window.formula.FormulaStore
 import badlog.window.formula.UnmadeFormulas
 import badlog.window.graph.plot.MAX_LINES
+import badlog.window.graph.quoted
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
+import badlog.window.log.DrawableTopic
 import badlog.window.log.FilteredEvents
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
+import badlog.window.menu.ClosesByEscape
 import badlog.window.menu.ContextArea
 import badlog.window.sidebar.WindowPanels
 import badlog.window.theme.Icons
@@ -101,10 +108,11 @@ internal fun TopicPane(
         val rows = ofThis()?.rows
         // A key may come before the rows for the typed text are shown.
         val rowsOfKeys = { ofThis()?.takeIf { it.query == topics.state.query }?.rows ?: open?.rowsOf(topics.state, found).orEmpty() }
+        val toggle = { signal: DrawableTopic -> toggleIn(current, board, events, topics, panels, signal) }
         fun draw(name: String) {
             val offered = rowsOfKeys().firstOrNull { it is GraphRow && it.name == name } as GraphRow?
             if (offered != null) return board.send(GraphChange.Toggle(offered.graph))
-            open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) }
+            open?.signal(name)?.let(toggle)
         }
         val focus = rememberAskedFocus(list.isSearchAsked) { topics.change { copy(isSearchAsked = false) } }
         val keyed = Modifier.focusRequester(focus).onPreviewKeyEvent { handlesKeys(it, topics, rowsOfKeys, ::draw) }
@@ -118,7 +126,7 @@ internal fun TopicPane(
         when {
             open == null -> Hint("Open a log to see its topics.")
             open.signals.isEmpty() -> Hint("This log has no topics with samples.")
-            else -> Rows(current, compared, board, view, events, formulas, topics, panels, open, rows, Modifier.weight(1f))
+            else -> Rows(compared, board, view, formulas, topics, open, rows, toggle, Modifier.weight(1f))
         }
         if (open != null) UnmadeFormulas(formulas, open)
         if (list.selected.isNotEmpty()) SelectedTopics(current, board, topics)
@@ -158,16 +166,14 @@ private fun Hint(text: String) {
 
 @Composable
 private fun Rows(
-    current: CurrentRecording,
     compared: ComparedRecordings,
     board: GraphBoard,
     view: AxisView,
-    events: FilteredEvents,
     formulas: FormulaStore,
     topics: TopicListing,
-    panels: WindowPanels,
     open: OpenRecording,
     rows: List<TopicRow>?,
+    toggle: (DrawableTopic) -> Unit,
     modifier: Modifier,
 ) {
     val query = topics.state.query
@@ -200,7 +206,7 @@ private fun Rows(
 
                     is SignalRow -> {
                         val place = places[row.signal.name]
-                        SignalLine(current, board, view, events, formulas, topics, panels, open, row, listed, place, showsValues)
+                        SignalLine(board, view, formulas, topics, open, row, listed, place, showsValues, toggle)
                     }
                 }
             }
@@ -285,3 +291,55 @@ internal fun withMatches(text: String, query: String, palette: Palette): Annotat
 private val ROOMY = 190.dp
 
 private const val MAX_DEPTH = 6
+
+/**
+ * The line above the list of topics that names the graph to which a click adds a topic. It has a button that ends this, and is empty if
+ * each topic gets its own graph.
+ */
+@Composable
+internal fun TargetLine(board: GraphBoard, topics: TopicListing) {
+    val wanted = topics.state.target ?: return
+    val target = targetOf(board, topics)
+    // Another graph may get the same id later.
+    LaunchedEffect(wanted, target == null) { if (target == null) topics.change { adding(null) } }
+    if (target == null) return
+    ClosesByEscape(isOpen = true) { topics.change { adding(null) } }
+    Row(
+        Modifier.fillMaxWidth().background(LocalPalette.current.accentSoft).padding(start = 12.dp, end = 4.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text("Click topics to add to ${quoted(board, target)}", Modifier.weight(1f), maxLines = 3, overflow = TextOverflow.Ellipsis)
+        ToolButton("Stop adding topics (Esc)", text = "Done") { topics.change { adding(null) } }
+    }
+}
+
+/** The actions for the selected topics. */
+@Composable
+internal fun SelectedTopics(current: CurrentRecording, board: GraphBoard, topics: TopicListing) {
+    val selected = topics.state.selected
+    val draw = { change: (List<String>) -> Unit ->
+        change(selected.filter { name -> current.recording?.run { signal(name)?.let { !isEvents(it) } } == true })
+        topics.change { copy(selected = emptyList()) }
+    }
+    HorizontalDivider()
+    Column(Modifier.fillMaxWidth().background(LocalPalette.current.accentSoft).padding(start = 8.dp, end = 4.dp, bottom = 4.dp)) {
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            Text("${selected.size} selected", Modifier.weight(1f), maxLines = 1)
+            ToolButton("Clear the selection of topics", Icons.Close) { topics.change { copy(selected = emptyList()) } }
+        }
+        FlowRow {
+            ToolButton("New graph of the selected topics", text = "New graph") {
+                draw { board.send(GraphChange.Add(it)) }
+            }
+            ToolButton("Show only these topics", text = "Only these") {
+                draw { names -> board.send(GraphChange.ShowOnlyLines(names)) }
+            }
+            ToolButton("A graph for each selected topic", text = "Separate graphs") {
+                draw { names -> board.send(GraphChange.AddEach(names)) }
+            }
+            ToolButton("Add these to the last graph", text = "Add to last graph") {
+                draw { board.send(GraphChange.AddToLast(it)) }
+            }
+        }
+    }
+}

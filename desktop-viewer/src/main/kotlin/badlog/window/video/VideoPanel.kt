@@ -18,8 +18,10 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import badlog.viewer.session.video.VIDEO_SPEEDS
 import badlog.viewer.session.video.VideoAlignment
 import badlog.viewer.session.video.alignmentHint
+import badlog.viewer.text.exactText
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
@@ -105,3 +107,30 @@ internal fun secondsText(seconds: Double): String {
 private const val MILLIS = 1000L
 private const val SECONDS = 60
 private const val MINUTE = MILLIS * SECONDS
+
+/** The buttons for play, speed and loop; with [hasLabels], each icon has a word beside it. */
+@Composable
+internal fun PlaybackButtons(player: Player, isEnabled: Boolean, hasLabels: Boolean) {
+    val playback = player.state
+    Row(verticalAlignment = Alignment.CenterVertically) {
+        ToolButton(
+            if (playback.isPlaying) "Pause (Space)" else "Play: moves the cursor (Space)",
+            if (playback.isPlaying) Icons.Pause else Icons.Play,
+            (if (playback.isPlaying) "Pause" else "Play").takeIf { hasLabels },
+            isOn = playback.isPlaying,
+            isEnabled = isEnabled,
+        ) { player.toggle() }
+        ToolButton("Slower (<)", text = "‹", isEnabled = playback.speed > VIDEO_SPEEDS.first()) {
+            player.change { faster(-1) }
+        }
+        ToolButton("Speed: ${exactText(playback.speed)} times; click for 1", text = "${exactText(playback.speed)}×") {
+            player.change { copy(speed = 1.0) }
+        }
+        ToolButton("Faster (>)", text = "›", isEnabled = playback.speed < VIDEO_SPEEDS.last()) {
+            player.change { faster(1) }
+        }
+        ToolButton("Loop the selection, or the visible range (L)", Icons.Loop, "Loop".takeIf { hasLabels }, isOn = playback.loops) {
+            player.toggleLoop()
+        }
+    }
+}

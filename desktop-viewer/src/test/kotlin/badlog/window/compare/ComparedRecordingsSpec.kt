@@ -12,6 +12,7 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.files.UserFolders
 import badlog.viewer.shown.statistics.Statistic
 import badlog.viewer.state.AcrossState
+import badlog.viewer.state.FolderAction
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.files.ChosenFiles
@@ -81,7 +82,7 @@ class ComparedRecordingsSpec : FunSpec({
         val viewer = viewerOf(ChosenFiles(saved))
         val read = recordingOf(Files.readString(other), other.toString())
         viewer.compared.change { Comparison().with(other).withLoaded(read) }
-        viewer.across.change { AcrossState(listOf("A"), setOf(Statistic.MAX)) }
+        viewer.view.send(FolderAction.MeasureAcross(AcrossState(listOf("A"), setOf(Statistic.MAX))))
         runDesktopComposeUiTest(1300, 700) {
             setContent { ViewerScreen(viewer) }
             onNodeWithContentDescription("Move other.bag by +0.1").performClick()

@@ -31,13 +31,13 @@ class CompareWindowSpec : FunSpec({
 
             window.press(KeyEvent.VK_S)
             window.awaitState("the statistics") { it.panels.state.main == MainView.STATISTICS }
-            window.awaitState("the battery") { it.across.state.topics == listOf("System/Battery Voltage") }
+            window.awaitState("the battery") { it.view.across.topics == listOf("System/Battery Voltage") }
             window.click("Search topics for the table")
             window.type("total current")
             // The search runs off the window's thread.
             window.awaitNo("Statistics of Arm/Angle")
             window.click("Statistics of PDP/Total Current")
-            window.awaitState("one more topic") { "PDP/Total Current" in it.across.state.topics }
+            window.awaitState("one more topic") { "PDP/Total Current" in it.view.across.topics }
             window.picture("statistics")
         }
     }

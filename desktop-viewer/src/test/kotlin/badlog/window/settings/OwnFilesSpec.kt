@@ -54,7 +54,7 @@ class OwnFilesSpec : FunSpec({
         saidWith(UserFolders(home.resolve(".config/badlog"), home.resolve(".cache/badlog"))) { viewer ->
             viewer.settings.state.theme shouldBe Theme.DARK
             onNodeWithText("Settings, layouts", substring = true).assertExists()
-            viewer.welcome.openSample()
+            viewer.openSample()
             waitFor { viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag.gz" }
         } shouldContainExactly listOf(
             "Settings, layouts and stored results for logs cannot be kept for the next start; " +

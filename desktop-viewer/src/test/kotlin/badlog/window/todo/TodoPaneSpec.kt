@@ -26,6 +26,7 @@ import badlog.viewer.todo.NoteTask
 import badlog.viewer.todo.OwnTask
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.lines
+import badlog.viewer.todo.toMarkdown
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.files.ChosenFiles
@@ -143,7 +144,7 @@ class TodoPaneSpec : FunSpec({
             onNodeWithContentDescription("Save the list as a page").performClick()
             waitFor { page.exists() && viewer.tasks.all.isEmpty() }
             page.readText() shouldContain "Bumpers are tight"
-            viewer.todo.markdown() shouldContain "- [ ] **${open(viewer).first()}**"
+            viewer.todo.state.list.toMarkdown() shouldContain "- [ ] **${open(viewer).first()}**"
         }
     }
 

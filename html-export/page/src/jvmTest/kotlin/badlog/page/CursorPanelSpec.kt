@@ -102,10 +102,10 @@ internal class CursorPanelSpec : PageSpec({
                     return element.getDomAttribute("title").orEmpty()
                 }
                 titleOver(graph("Seventh").legend("Seventh")).lines().last() shouldBe "4.142857142857143"
-                titleOver(element(".value-text")) shouldBe "4.142857142857143"
+                titleOver(element(".cursor-value .value-text")) shouldBe "4.142857142857143"
                 graph("Seventh").click(0.6)
                 rows() shouldNotBe listOf("Seventh4.14286")
-                element(".value-text").getDomAttribute("title") shouldBe null
+                element(".cursor-value .value-text").getDomAttribute("title") shouldBe null
                 script("arguments[0].querySelector('.statistics-toggle').click()", graph("Seventh").card)
                 val maximum = elements(".statistics tbody td")[1]
                 maximum.text to maximum.getDomAttribute("title") shouldBe ("10.1429" to "10.142857142857142")

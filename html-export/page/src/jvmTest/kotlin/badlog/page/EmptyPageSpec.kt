@@ -113,7 +113,7 @@ internal class EmptyPageSpec : PageSpec({
                 awaitState("ready")
                 text shouldContain "MOTOR_TEMPERATURE"
                 text shouldContain "Spark-3"
-                texts(".info dd") shouldContain "REV log: each topic has its own times"
+                texts(".info .value-text") shouldContain "REV log: each topic has its own times"
             }
         }
     }

@@ -38,7 +38,7 @@ internal class HookSpec : PageSpec({
             step("a hook's section names the hook and has its values, lines and pictures; its findings are listed, and failed hooks have a reason") {
                 texts(".hook .folder-name") shouldBe listOf("From the hook tools/analyze.py")
                 texts(".hook-note").single() shouldContain "not logged by the robot"
-                texts(".hook .values dt") shouldBe listOf("Energy", "10", "9")
+                texts(".hook .value-row .cut-name") shouldBe listOf("Energy", "10", "9")
                 texts(".hook .graph-title").take(2) shouldBe listOf("[ Fit ]", "[ Nothing ]")
                 texts(".hook .origin").toSet() shouldBe setOf("from tools/analyze.py")
                 element(".picture img").getDomAttribute("alt") shouldBe "Energy"

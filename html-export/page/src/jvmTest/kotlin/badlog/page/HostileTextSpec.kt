@@ -69,7 +69,7 @@ internal class HostileTextSpec : PageSpec({
             val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
             onPage(TestPages.of(bag, additions = PageAdditions(hooks = hooks)), script = alarm) {
                 texts(".hook .folder-name") shouldBe HOSTILE.map { "From the hook $it" }
-                texts(".hook .values dd") shouldBe HOSTILE
+                texts(".hook .value-row .value-text") shouldBe HOSTILE
                 texts(".hook .origin") shouldBe HOSTILE.map { "from $it" }
                 if (elements(".problem-list").isEmpty()) click("#problems summary")
                 texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
@@ -98,7 +98,7 @@ internal class HostileTextSpec : PageSpec({
             val values = HOSTILE.associateWith { it } + mapOf("Event Name" to HOSTILE[0], "Match Number" to HOSTILE[3])
             onPage(TestPages.of(bagOf(topics, 50, values) { row, column -> row * column }), script = alarm) {
                 checkTame()
-                texts(".values dd") shouldContainAll HOSTILE
+                texts(".value-row .value-text") shouldContainAll HOSTILE
                 driver.title shouldContain HOSTILE[0]
                 texts("h1").single() shouldContain HOSTILE[3]
                 texts(".graph-title") shouldContainAll HOSTILE.map { it.substringAfterLast('/') }

@@ -36,9 +36,9 @@ internal class OpeningSpec : PageSpec({
         step("a match has its values in folders, and each graph is drawn once it is scrolled to") {
             onPage(TestPages.ofSample("qualification-42.bag")) {
                 step("values are in their folders, sorted regardless of case, the top level first; Info has the header") {
-                    texts(".folder[data-name=''] .values dd") shouldContain "2024-03-16T10:41:07"
-                    texts(".folder[data-name='System'] .values dt") shouldContain "Brownout Voltage"
-                    texts(".folder[data-name='System'] .values dd") shouldContain "6.75"
+                    texts(".folder[data-name=''] .value-row .value-text") shouldContain "2024-03-16T10:41:07"
+                    texts(".folder[data-name='System'] .value-row .cut-name") shouldContain "Brownout Voltage"
+                    texts(".folder[data-name='System'] .value-row .value-text") shouldContain "6.75"
                     val names = elements(".folder").map { it.getDomAttribute("data-name").orEmpty() }
                     names shouldBe names.sortedBy { it.lowercase() }
                     names.first() shouldBe ""

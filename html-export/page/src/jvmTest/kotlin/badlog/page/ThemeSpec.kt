@@ -13,7 +13,7 @@ internal class ThemeSpec : PageSpec({
     val texts = listOf(
         "h1", ".facts", ".fact", "#problems summary", ".problem-text", ".problem-place", ".severity", ".search-input",
         ".range-readout", ".cursor-readout", ".event-readout", "#download", ".folder-link-name", ".count",
-        ".folder-toggle", ".graph-title", ".unit", ".legend-name", ".value", ".x-title", ".values dt", ".values dd",
+        ".folder-toggle", ".graph-title", ".unit", ".legend-name", ".value", ".x-title", ".value-row .cut-name", ".value-row .value-text",
         ".event-go", ".event .finding-text", "#info summary", ".text-button", ".event-label",
     )
 

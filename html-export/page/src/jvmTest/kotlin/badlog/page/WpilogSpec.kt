@@ -58,7 +58,7 @@ internal class WpilogSpec : PageSpec({
             visibleRange shouldBe 0.0..4.0
             texts(".fact") shouldContain "4 s"
             texts(".event .finding-text span") shouldContain "ERROR: something happened"
-            texts(".info dd") shouldContain "WPILOG: each topic has its own times"
+            texts(".info .value-text") shouldContain "WPILOG: each topic has its own times"
         }
         onPage(TestPages.of(gzip(wpilog()), "run.wpilog.gz")) { checkAll() }
         onPage(TestPages.of(wpilog(), "run.wpilog")) {

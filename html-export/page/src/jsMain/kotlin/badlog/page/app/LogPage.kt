@@ -13,6 +13,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
+import badlog.page.dom.isHidden
 import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
 import badlog.page.export.sendMoment
@@ -99,7 +100,7 @@ internal class LogPage(
     private val embeddedFindings = this.additions.findings + this.additions.hooks.flatMap { it.findings }
     private val signals = this.additions.rules.signals
     private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
-    private val store: PageStore = PageStore(startOf(view), PageShown({ scene }, { findings }, { keys })) { requests.perform(it) }
+    val store: PageStore = PageStore(startOf(view), PageShown({ scene }, { findings }, { keys })) { perform(it) }
     private val board = PageBoard(about.fileKey, linesNow(), store)
     private val notes = PageNotes(about.fileKey, this.additions)
     private val scene = Scene(view, about.name, theme.palette, board, downloads.notice, signals, store).apply {
@@ -109,14 +110,14 @@ internal class LogPage(
     }
     private val graphs = VisibleGraphs(scene)
     private val outline = outlineOf(view, signals, formulas.names)
-    private val folders = FolderList(outline, scene, about.fileKey, this.additions.hooks, graphs::add, graphs::remove) {
+    val folders = FolderList(outline, scene, about.fileKey, this.additions.hooks, graphs::add, graphs::remove) {
         if (formulas.formulaOf(it) == null) "" else "formula"
     }
-    private val navigation = FolderNavigation(folders)
+    val navigation = FolderNavigation(folders)
     private val formulaGraphs = FormulaGraphs(formulas, board, graphs, folders, navigation, scene.notice, ::beforeFormulas, ::linesNow)
-    private val search = SearchBox { searched.show(it) }
-    private val eventsLink = EventsLink(folders)
-    private val formulaDialog = FormulaDialog(formulas, formulaGraphs::add, formulaGraphs::change, formulaGraphs::remove)
+    private val search = SearchBox { show(it) }
+    val eventsLink = EventsLink(folders)
+    val formulaDialog = FormulaDialog(formulas, formulaGraphs::add, formulaGraphs::change, formulaGraphs::remove)
     private val formulaButton = element("div", "formula-button") {
         addButton("", "", "${KeyAction.NEW_FORMULA.meaning} (${KeyAction.NEW_FORMULA.shortcut})") { formulaDialog.open() }.apply {
             id = "add-formula"
@@ -126,12 +127,12 @@ internal class LogPage(
         }
     }
     private val lines = PageLines(scene, { boardSection.cards + evidence.cards }, { folders.cards })
-    private val values: CursorPanel = CursorPanel(scene, lines::shown, lines::all) { modules.close() }
-    private val modules: ModulesPanel = ModulesPanel(scene) { if (values.isOpen) values.toggle() }
-    private val noteDialog = NoteDialog(scene, notes)
+    val values: CursorPanel = CursorPanel(scene, lines::shown, lines::all) { if (modules.isOpen) modules.toggle() }
+    val modules: ModulesPanel = ModulesPanel(scene) { if (values.isOpen) values.toggle() }
+    val noteDialog = NoteDialog(scene, notes)
     private val panelLinks =
         listOf(search.element, navigation.choice, eventsLink.element, formulaButton, noteDialog.button, values.button, modules.button)
-    private val video = VideoPanel(scene, about.fileKey, this.additions.video)
+    val video = VideoPanel(scene, about.fileKey, this.additions.video)
     private val link = PageLink(
         scene,
         formulas,
@@ -143,28 +144,25 @@ internal class LogPage(
     )
     private val zoomBar = ZoomBar(scene, panelLinks, link.element)
     private val help = HelpOverlay()
-    private val live = LiveRegion(scene, lines::shown)
+    val live = LiveRegion(scene, lines::shown)
     private val comparison = PageComparison(formulas, about.name)
-    private val compareBar = CompareBar(comparison, scene)
-    private val changes: LogChanges = LogChanges(opening, comparison, compareBar, scene.notice, { element }) { difference ->
+    val compareBar = CompareBar(comparison, scene)
+    val changes: LogChanges = LogChanges(opening, comparison, compareBar, scene.notice, { element }) { difference ->
         pinEvidence(difference, null)
         boardSection.bringIntoSight()
     }
-    private val signalChoice = SignalChoice(formulas.given, signals, scene.notice, onOtherSignals)
+    val signalChoice = SignalChoice(formulas.given, signals, scene.notice, onOtherSignals)
     private val hasRules = this.additions.rules.rules.isNotEmpty()
-    private val findings = FindingsSection(scene, signalChoice, embeddedFindings, hasRules, { changes.differences }, store::send)
+    val findings = FindingsSection(scene, signalChoice, embeddedFindings, hasRules, { changes.differences }, store::send)
     private val rules = PageRules(this.additions, embeddedFindings, about.name, findings) { element.isConnected }
-    private val noteList = NoteList(scene, notes)
+    val noteList = NoteList(scene, notes)
     private val evidence = EvidenceSection(scene, graphs, signals, { store.send(FindingAction.StepWithin(it)) }, ::send)
     private val topicDialog = TopicDialog(scene)
-    private val layouts =
+    val layouts =
         PageLayouts(scene, formulas, formulaGraphs, about.name, { boardAbove(view, signals) }) { boardSection.bringIntoSight() }
-    private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)
+    val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)
     private val inSight = GraphsInSight { boardSection.cards + folders.cards }
-    private val keys = BoardKeys(board, graphs, boardSection)
-    private val findingRequests = FindingRequests(signalChoice, changes, live, ::showEvidence, ::pinEvidence)
-    private val requests =
-        PageRequests(keys, values, modules, formulaDialog, noteDialog, layouts.dialog, video, compareBar, live, findingRequests::perform)
+    val keys = BoardKeys(board, graphs, boardSection)
     private val goal: LinkGoal = LinkGoal(boardSection, inSight, findings)
     private val opened = ReaderParts(search, values, modules, boardSection)
     private val problems = ProblemSection(scene, view.problems, additionProblems(formulas, additions, layout))
@@ -176,9 +174,10 @@ internal class LogPage(
         copyWith(notes.history, layouts.now().toJson(), compared, removed)
     }
     private val export = ExportMenu(scene, printing, copy::save) { boardSection.cards }
-    private val content = element("div", "content")
-    private val searched: SearchedParts =
-        SearchedParts(boardSection, folders, findings, store::send, noteList, navigation, eventsLink, values, content)
+    val content: HTMLElement = element("div", "content")
+
+    /** The notice that nothing matches the search. */
+    val nothingFound: HTMLElement = element("p", "nothing-found", "Nothing matches. Escape clears the search.").apply { isHidden = true }
 
     private val tools = listOfNotNull(
         opening.tools(),
@@ -207,7 +206,7 @@ internal class LogPage(
         add("div", "columns") {
             appendChild(navigation.list)
             appendChild(content).apply {
-                appendChild(searched.nothingFound)
+                appendChild(nothingFound)
                 appendChild(folders.element)
                 appendChild(infoSection(view, formulas.logged.recording, about))
             }
@@ -324,13 +323,15 @@ internal class LogPage(
         sendMoment(scene, text, evidence.cards.map { it::drawOn })
     }
 
-    private fun pinEvidence(finding: Finding, incident: Incident?) {
+    /** Adds the graphs of [finding] to the board. */
+    fun pinEvidence(finding: Finding, incident: Incident?) {
         val shown = evidenceBoard(view, incident.evidenceOf(finding), signals).graphs.filterNot(board.now::has)
         board.send(GraphChange.AddAll(shown))
         scene.notice.say("${countText(shown.size, "graph")} added to the board.")
     }
 
-    private fun showEvidence(request: FindingRequest.Show) {
+    /** Shows the evidence of a finding. */
+    fun showEvidence(request: FindingRequest.Show) {
         evidence.show(request.place, request.incident, request.isWhole)
         values.refresh()
         if (evidence.cards.isEmpty()) inSight.showAny()

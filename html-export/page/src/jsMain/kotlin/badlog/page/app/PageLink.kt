@@ -1,21 +1,30 @@
 package badlog.page.app
 
 import badlog.core.analysis.Span
+import badlog.page.board.BoardSection
 import badlog.page.dom.Icon
 import badlog.page.dom.PageEvents
 import badlog.page.dom.addIconButton
 import badlog.page.dom.copyText
 import badlog.page.dom.element
+import badlog.page.findings.FindingsSection
 import badlog.page.formula.Formulas
+import badlog.page.graph.GraphsInSight
+import badlog.page.header.SearchBox
+import badlog.page.panel.CursorPanel
+import badlog.page.panel.ModulesPanel
 import badlog.page.video.VideoPanel
 import badlog.page.view.Scene
+import badlog.rules.LogFindings
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.session.link.OpenedParts
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.session.link.pageAddressOf
 import badlog.viewer.state.PlaceAction
+import kotlinx.browser.document
 import kotlinx.browser.window
+import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 
 /**
@@ -131,3 +140,61 @@ internal class PageLink(
         }
     }
 }
+
+/** The part of the page that a link points at: the board, a finding, or a graph. */
+internal class LinkGoal(private val board: BoardSection, private val inSight: GraphsInSight, private val findings: FindingsSection) {
+    /** The element that has the keyboard's focus because a link points at it. */
+    private var focused: Element? = null
+
+    /** Scrolls to the target of [address] and focuses it. [isAgain] is whether that was done before. */
+    fun go(address: PageAddress, isAgain: Boolean) {
+        if (address.board != null && address.finding == null) {
+            board.bringIntoSight()
+        } else {
+            inSight.showAny()
+            address.moment?.let { findings.visitAt(it, address.finding) }
+        }
+        focus(address, isAgain)
+    }
+
+    /** Focuses the target, unless the focus has moved since it was done before. */
+    private fun focus(address: PageAddress, isAgain: Boolean) {
+        val isElsewhere = isAgain && document.activeElement.let { it !== document.body && it !== focused }
+        // A page in a frame leaves the focus to the page around it.
+        if (isElsewhere || window.parent !== window) return
+        if (address.finding == null || !findings.focusCurrent()) inSight.focusAny()
+        focused = document.activeElement
+    }
+}
+
+/** The parts of the page that a reader can open and close, in the form used by links. */
+internal class ReaderParts(
+    private val search: SearchBox,
+    private val values: CursorPanel,
+    private val modules: ModulesPanel,
+    private val board: BoardSection,
+) {
+    /** The parts that are open. */
+    val now: OpenedParts
+        get() {
+            val statistics = board.cards.withIndex().filter { it.value.hasStatistics }.map { it.index + 1 }
+            return OpenedParts(search.text, values.isOpen, modules.isOpen, statistics)
+        }
+
+    /** Opens the parts in [wanted]; other open parts stay open. */
+    fun open(wanted: OpenedParts) {
+        if (wanted.search.isNotEmpty()) search.show(wanted.search)
+        if (wanted.hasValues && !values.isOpen) values.toggle()
+        if (wanted.hasModules && !modules.isOpen) modules.toggle()
+        for (place in wanted.statistics) board.cards.getOrNull(place - 1)?.takeIf { !it.hasStatistics }?.toggleStatistics()
+    }
+}
+
+/**
+ * The part of a log's page that stays when the log has grown.
+ *
+ * @property place the reader's position on the page; board and formulas are remembered separately.
+ * @property found the findings to show until the rules have run again; null if they have not run.
+ * @property ranAt the time at which the last run of the rules ended, on the browser's clock, in ms.
+ */
+internal class PageSnapshot(val place: PageAddress, val found: LogFindings?, val ranAt: Double)

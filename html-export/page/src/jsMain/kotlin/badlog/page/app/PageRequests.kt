@@ -1,62 +1,65 @@
 package badlog.page.app
 
-import badlog.page.board.BoardKeys
-import badlog.page.compare.CompareBar
-import badlog.page.formula.FormulaDialog
-import badlog.page.layout.LayoutDialog
-import badlog.page.note.NoteDialog
-import badlog.page.panel.CursorPanel
-import badlog.page.panel.ModulesPanel
-import badlog.page.video.VideoPanel
+import badlog.page.dom.copyText
 import badlog.viewer.state.CompareRequest
 import badlog.viewer.state.FindingRequest
 import badlog.viewer.state.FolderRequest
 import badlog.viewer.state.Request
 
-/** Carries out the requests that actions make to the page. */
-internal class PageRequests(
-    private val board: BoardKeys,
-    private val values: CursorPanel,
-    private val modules: ModulesPanel,
-    private val formulas: FormulaDialog,
-    private val notes: NoteDialog,
-    private val layouts: LayoutDialog,
-    private val video: VideoPanel,
-    private val compared: CompareBar,
-    private val live: LiveRegion,
-    private val onFinding: (FindingRequest) -> Unit,
-) {
-    /** Carries out [request]. */
-    fun perform(request: Request): Unit = when (request) {
-        is FindingRequest -> onFinding(request)
+/** Performs [request], which an action makes to the page. */
+internal fun LogPage.perform(request: Request): Unit = when (request) {
+    is FindingRequest -> perform(request)
 
-        is CompareRequest -> compared.perform(request)
+    is CompareRequest -> compareBar.perform(request)
 
-        // A page cannot write beside the logs, so it has no team's list.
-        is FolderRequest -> Unit
+    // A page cannot write beside the logs, so it has no team's list.
+    is FolderRequest -> Unit
 
-        is Request.ChangeNote -> notes.edit(request.note)
+    is Request.ChangeNote -> noteDialog.edit(request.note)
 
-        is Request.RemoveNote -> notes.remove(request.note)
+    is Request.RemoveNote -> noteDialog.remove(request.note)
 
-        Request.Values -> values.toggle()
+    is Request.Copy -> copyText(request.text()).unsafeCast<Unit>()
 
-        Request.Modules -> modules.toggle()
+    Request.Values -> values.toggle()
 
-        Request.Pin -> board.togglePin()
+    Request.Modules -> modules.toggle()
 
-        is Request.Graphs -> board.follow(request)
+    Request.Pin -> keys.togglePin()
 
-        is Request.Layout -> layouts.step(request.steps)
+    is Request.Graphs -> keys.follow(request)
 
-        Request.Cursor -> live.announceCursor()
+    is Request.Layout -> layouts.dialog.step(request.steps)
 
-        Request.Formula -> formulas.open()
+    Request.Cursor -> live.announceCursor()
 
-        is Request.Note -> notes.write(request.x)
+    Request.Formula -> formulaDialog.open()
 
-        is Request.Mark -> notes.mark(request.x)
+    is Request.Note -> noteDialog.write(request.x)
 
-        is Request.Frames -> video.step(request.count)
+    is Request.Mark -> noteDialog.mark(request.x)
+
+    is Request.Frames -> video.step(request.count)
+}
+
+private fun LogPage.perform(request: FindingRequest) = when (request) {
+    is FindingRequest.Show -> {
+        showEvidence(request)
+        request.spoken?.let(live::announceFinding) ?: Unit
     }
+
+    FindingRequest.AnnounceNone -> live.announce("No finding to go to.")
+
+    is FindingRequest.Pin -> pinEvidence(request.finding, request.incident)
+
+    is FindingRequest.Compare -> changes.draw(request.difference)
+
+    is FindingRequest.Assign -> signalChoice.assign(request.signal, request.topic)
+
+    is FindingRequest.Forget -> signalChoice.forget(request.signal)
+
+    FindingRequest.SaveSignals -> signalChoice.save()
+
+    // The evidence has its own buttons, and the rules of a page are fixed.
+    FindingRequest.Keep, is FindingRequest.Add, FindingRequest.RunRules -> Unit
 }

@@ -1,6 +1,7 @@
 package badlog.page.board
 
 import badlog.page.dom.Icon
+import badlog.page.dom.MenuEntry
 import badlog.page.dom.add
 import badlog.page.dom.addIconButton
 import badlog.page.dom.bringIntoSight
@@ -11,10 +12,18 @@ import badlog.page.dom.openMenu
 import badlog.page.dom.showText
 import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
+import badlog.page.view.PageBoard
 import badlog.page.view.Scene
+import badlog.page.view.graphsOf
+import badlog.signals.pose.Pose
 import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.choices.board.BoardLines
+import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.input.KeyAction
+import badlog.viewer.session.GraphOffer
+import badlog.viewer.session.GraphOffers
 import badlog.viewer.shown.search.Query
 import badlog.viewer.state.GraphChange
 import badlog.viewer.text.countOf
@@ -149,3 +158,87 @@ internal class BoardSection(
     private fun openMenu(item: BoardItem, button: HTMLElement) =
         openMenu(button, item.element, boardMenu(board, item.spec, item, topics, scene.paths.poses))
 }
+
+/**
+ * Returns the menu entries for [graph] of [board], which [item] shows.
+ *
+ * [topics] is the dialog that adds topics to it; [poses] are the log's poses.
+ */
+internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog, poses: List<Pose>): List<MenuEntry> {
+    val offers = GraphOffers(board.now, graph, poses)
+    val numbers = item.cards.firstOrNull { !it.graph.showsStates }
+    fun entries(offered: List<GraphOffer>) = offered.map { MenuEntry(it.label, it.isOn) { board.send(it.change) } }
+    return buildList {
+        addAll(entries(offers.moves))
+        add(MenuEntry("Add topics…") { topics.open(graph.id) })
+        addAll(entries(offers.additions(board.now.shortTitles).take(PageBoard.MAX_OFFERED) + listOfNotNull(offers.separation)))
+        if (numbers != null) addAll(entries(offers.heights(GraphHeight.MEDIUM) + offers.planes))
+        addAll(entries(offers.origins))
+        if (numbers != null) addAll(entries(offers.limits(numbers.picture.axes.map { it.shown })))
+        addAll(entries(listOf(offers.removal)))
+    }
+}
+
+/**
+ * A graph of the board: a card for its numbers and one for its states, if it has them.
+ *
+ * @param onMenu called with the button of its menu.
+ */
+internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val onMenu: (BoardItem, HTMLElement) -> Unit) {
+    private val lines: BoardLines = scene.board.lines
+
+    /** The graph that it currently shows. */
+    var spec: BoardGraph = spec
+        private set
+
+    private lateinit var menuButton: HTMLElement
+
+    /** The cards that draw it. */
+    val cards: List<GraphCard> = graphsOf(spec, lines).map { (graph, names) ->
+        GraphCard(graph, scene, look = spec, lines = names) { look -> scene.store.send(GraphChange.Replace(look)) }
+    }
+
+    val element: HTMLElement = element("div", "board-graph") {
+        setAttribute("data-id", spec.id.toString())
+        for (card in cards) appendChild(card.element)
+        cards.first().tools.apply {
+            menuButton = addIconButton("graph-menu", Icon.MORE, "More for this graph") { openMenu() }
+            menuButton.setAttribute("aria-haspopup", "menu")
+            menuButton.setAttribute("aria-expanded", "false")
+            addIconButton("pin", Icon.PIN, "Remove from the board (P)") { scene.store.send(GraphChange.Remove(spec.id)) }
+                .setAttribute("aria-pressed", "true")
+        }
+    }
+
+    /** Opens the menu of actions. */
+    fun openMenu() = onMenu(this, menuButton)
+
+    /** Returns whether it can show [other] without being recreated. */
+    fun fits(other: BoardGraph): Boolean = lines === scene.board.lines &&
+        withoutAdjustments(other) == withoutAdjustments(spec)
+
+    /** Returns [graph] without the properties that can change while it is drawn. */
+    private fun withoutAdjustments(graph: BoardGraph) =
+        graph.copy(xRange = null, yRange = null, rightYRange = null, sharesY = false, hidden = emptySet())
+
+    /** Shows the cards that match [query], and hides the others. */
+    fun filter(query: Query) {
+        for (card in cards) card.element.isHidden = !card.filter(query)
+        element.isHidden = cards.all { it.element.isHidden }
+    }
+
+    /** Shows [wanted], for which [fits] is true. */
+    fun show(wanted: BoardGraph) {
+        if (wanted == spec) return
+        spec = wanted
+        for (card in cards) card.show(wanted)
+    }
+}
+
+/** Adds a button that puts [graph] on [board] or removes it. The graph need not be drawn. */
+internal fun HTMLElement.addPin(board: PageBoard, graph: BoardGraph): HTMLElement =
+    addIconButton("pin", Icon.PIN, "Keep ${graph.title} on the board") { board.send(GraphChange.Toggle(graph)) }.also { button ->
+        fun update() = button.setAttribute("aria-pressed", board.now.has(graph).toString())
+        board.onChange(::update)
+        update()
+    }

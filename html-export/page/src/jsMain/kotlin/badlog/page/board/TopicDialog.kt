@@ -3,6 +3,7 @@ package badlog.page.board
 import badlog.page.dom.Dialog
 import badlog.page.dom.add
 import badlog.page.dom.addButton
+import badlog.page.dom.addTextField
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.BoardGraph
@@ -28,7 +29,7 @@ internal class TopicDialog(private val scene: Scene) {
 
     private val dialog = Dialog("topic-dialog", "topic-dialog") {
         add("div", "formula-body") {
-            input = add("input", "formula-input").unsafeCast<HTMLInputElement>()
+            input = addTextField("formula-input", "topic-search", "Search topics", "Search topics")
             list = add("ul", "topic-list")
             rest = add("p", "unit") { setAttribute("role", "status") }
         }
@@ -38,11 +39,6 @@ internal class TopicDialog(private val scene: Scene) {
 
     init {
         input.type = "search"
-        input.id = "topic-search"
-        input.placeholder = "Search topics"
-        input.autocomplete = "off"
-        input.spellcheck = false
-        input.setAttribute("aria-label", "Search topics")
         input.addEventListener("input", { list() })
     }
 

@@ -6,6 +6,7 @@ import badlog.page.dom.PageEvents
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
+import badlog.page.dom.fileInput
 import badlog.page.dom.isHidden
 import badlog.page.opened.OpenedLog
 import badlog.page.parts.PartNodes
@@ -15,8 +16,6 @@ import badlog.page.view.Scene
 import badlog.viewer.panel.comparePanel
 import badlog.viewer.state.CompareRequest
 import org.w3c.dom.HTMLElement
-import org.w3c.dom.HTMLInputElement
-import org.w3c.dom.asList
 import org.w3c.files.File
 
 /** The compared logs, see [comparePanel], and the button that opens one; hidden if there are none. */
@@ -26,18 +25,7 @@ internal class CompareBar(private val comparison: PageComparison, private val sc
     private val unread = ArrayList<OpenedLog>()
     private val failures = ArrayList<String>()
 
-    private val input = element("input").unsafeCast<HTMLInputElement>().apply {
-        type = "file"
-        id = "compare-file"
-        multiple = true
-        isHidden = true
-        setAttribute("aria-label", "Log to compare")
-        addEventListener("change", {
-            // The browser's own list becomes empty with the value.
-            open(files?.asList().orEmpty().toList())
-            value = ""
-        })
-    }
+    private val input = fileInput("compare-file", "Log to compare", onFiles = ::open).apply { multiple = true }
 
     val element: HTMLElement = element("section", "compare findings card") {
         id = "compare"

@@ -6,6 +6,7 @@ import org.w3c.dom.WorkerOptions
 import org.w3c.dom.url.URL
 import org.w3c.files.Blob
 import org.w3c.files.BlobPropertyBag
+import org.w3c.files.File
 
 private val address by lazy {
     val script = document.getElementById("program")?.textContent.orEmpty()
@@ -18,3 +19,16 @@ internal fun startWorker(name: String = ""): Worker? = try {
 } catch (_: Throwable) {
     null
 }
+
+/** Returns the milliseconds that work may take before the page must respond: [seen], or more if the page is hidden. */
+internal fun sliceMillis(seen: Int): Int = if (document.asDynamic().hidden == true) HIDDEN else seen
+
+/** A browser wakes a hidden page only once a second. */
+private const val HIDDEN = 800
+
+/** The path of the file, including its folders, if the page determined it itself; otherwise null. */
+internal var File.place: String?
+    get() = asDynamic().place as String?
+    set(value) {
+        asDynamic().place = value
+    }

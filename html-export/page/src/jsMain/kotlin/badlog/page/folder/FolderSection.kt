@@ -1,21 +1,33 @@
 package badlog.page.folder
 
+import badlog.core.analysis.EventLog
 import badlog.core.analysis.Folder
 import badlog.core.analysis.Graph
+import badlog.core.recording.Value
+import badlog.page.board.addPin
 import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
+import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.graph.GraphCard
+import badlog.page.parts.PartNodes
+import badlog.page.parts.patch
 import badlog.page.view.Scene
 import badlog.page.view.SearchCounts
+import badlog.page.view.SearchedGraph
 import badlog.protocol.HookPart
+import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.choices.board.framesOf
 import badlog.viewer.choices.board.laneGraphOf
+import badlog.viewer.draw.mark.EventTimeline
+import badlog.viewer.panel.eventRows
+import badlog.viewer.panel.valueRows
 import badlog.viewer.shown.search.Query
+import badlog.viewer.text.countOf
 import badlog.viewer.text.countText
 import org.w3c.dom.HTMLElement
 
@@ -39,7 +51,7 @@ internal class FolderSection(
     private val onDraw: (GraphCard) -> Unit = {},
     private val onLeave: (GraphCard) -> Unit = {},
 ) {
-    private val values = folder.values.takeIf { it.isNotEmpty() }?.let(::ValueList)
+    private val values = folder.values.takeIf { it.isNotEmpty() }?.let { ValueList(it, scene) }
     private var toggle: HTMLElement? = null
     private var countLabel: HTMLElement? = null
     private lateinit var body: HTMLElement
@@ -160,5 +172,152 @@ internal class FolderSection(
         val isOpen = !isClosed || isSearching
         toggle?.setAttribute("aria-expanded", isOpen.toString())
         body.isHidden = !isOpen
+    }
+}
+
+/**
+ * A graph that is only listed until a person selects it or a search matches it.
+ *
+ * @param make creates its card.
+ */
+internal class ListedGraph(private val graph: Graph, private val scene: Scene, private val make: (Graph) -> GraphCard) {
+    private val searched = SearchedGraph(graph, scene)
+    private var isWanted = false
+    private lateinit var row: HTMLElement
+
+    /** Called with each card that is created or removed. */
+    var onChange: (GraphCard) -> Unit = {}
+
+    /** Its card; null while it is not drawn. */
+    var card: GraphCard? = null
+        private set
+
+    val element: HTMLElement = element("div", "listed") {
+        row = add("div", "listed-row") {
+            addButton("listed-graph", "", "Draw ${graph.name}") {
+                isWanted = true
+                draw()
+            }.apply {
+                setAttribute("data-name", graph.name)
+                add("span", "", graph.title)
+                if (graph.series.size > 1) add("span", "count", "${graph.series.size} lines")
+            }
+            addPin(scene.board, graph.asBoardGraph())
+        }
+    }
+
+    /** Returns whether [query] matches the graph, and no person has selected it. */
+    fun isFoundBy(query: Query): Boolean = !isWanted && searched.isFoundBy(query)
+
+    /** Shows the graph if [query] matches it, and draws it if [draws]. Returns whether it matches. */
+    fun filter(query: Query, draws: Boolean): Boolean {
+        val isFound = searched.isFoundBy(query)
+        element.isHidden = !isFound
+        if (isFound && draws && !query.isEmpty) {
+            draw()
+        } else if (!isWanted) {
+            leave()
+        }
+        card?.filter(query)
+        return isFound
+    }
+
+    private fun draw() {
+        if (card != null) return
+        row.isHidden = true
+        val made = make(graph)
+        card = made
+        element.appendChild(made.element)
+        onChange(made)
+    }
+
+    private fun leave() {
+        val gone = card ?: return
+        card = null
+        onChange(gone)
+        gone.element.remove()
+        row.isHidden = false
+    }
+}
+
+/** The events of a topic, see [eventRows]. */
+internal class EventTable(private val log: EventLog, private val scene: Scene) {
+    private val all = EventTimeline.of(listOf(log))
+    private var found = all
+    private var limit = PAGE
+    private val nodes = PartNodes(scene.palette) { if (scene.xAxis.range != null) scene.store.send(it) }
+    private lateinit var count: HTMLElement
+    private lateinit var scroll: HTMLElement
+    private lateinit var body: HTMLElement
+    private lateinit var more: HTMLElement
+
+    val element: HTMLElement = element("section", "events card") {
+        setAttribute("data-name", log.name)
+        add("header", "graph-head") {
+            add("h3", "graph-title", log.title).title = log.name
+            count = add("span", "unit")
+        }
+        if (all.size == 0) add("p", "unit", "No events.")
+        scroll = add("div", "events-scroll") {
+            isHidden = all.size == 0
+            setAttribute("tabindex", "0")
+            setAttribute("role", "group")
+            setAttribute("aria-label", "Events of ${log.name}")
+            body = add("div")
+            more = addButton("more text-button", "") {
+                limit += PAGE
+                show()
+            }
+        }
+    }
+
+    init {
+        show()
+    }
+
+    /** The number of listed events. */
+    val foundCount: Int get() = found.size
+
+    /** Focuses the list, so that keys scroll it. */
+    fun focus() = scroll.focusInPlace()
+
+    /** Shows the events that match [query], and returns their number. */
+    fun filter(query: Query): Int {
+        found = all.matching(query)
+        limit = PAGE
+        show()
+        element.isHidden = found.size == 0 && !query.isEmpty
+        return found.size
+    }
+
+    private fun show() {
+        count.showText(countOf(found.size, all.size, "event"))
+        body.patch(nodes.of(listOf(eventRows(log.name, found, scene.times, limit))))
+        more.isHidden = found.size <= limit
+        more.showText("Show more (${countText(found.size - limit)} left)")
+    }
+
+    private companion object {
+        /** The number of rows added at a time; a browser is slow with more than a few thousand. */
+        const val PAGE = 300
+    }
+}
+
+/** The [values] of a folder, see [valueRows]. */
+internal class ValueList(private val values: List<Value>, scene: Scene) {
+    private val nodes = PartNodes(scene.palette, scene.store::send)
+
+    val element: HTMLElement = element("div", "card")
+
+    init {
+        filter(Query(""))
+    }
+
+    /** Shows the values that match [query], and returns their number. */
+    fun filter(query: Query): Int {
+        val rows = valueRows(values, query)
+        element.patch(nodes.of(listOf(rows)))
+        element.isHidden = rows.rows.isEmpty()
+        return rows.rows.size
     }
 }

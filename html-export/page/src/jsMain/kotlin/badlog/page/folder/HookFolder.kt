@@ -12,8 +12,12 @@ import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
+import badlog.page.dom.add
+import badlog.page.dom.element
 import badlog.protocol.HookPart
+import badlog.protocol.PageFigure
 import badlog.protocol.PageSeries
+import org.w3c.dom.HTMLElement
 
 /** Returns the results of [hook] as a separate folder. */
 internal fun folderOf(hook: HookPart): Folder = Folder(
@@ -43,4 +47,17 @@ private val CALCULATED = object : Attribute {
         topic.hide()
         topic.derive(name, { unit, _ -> unit }, { it })
     }
+}
+
+/** Returns a picture that a hook drew, with its title above it. */
+internal fun hookPicture(figure: PageFigure): HTMLElement = element("figure", "picture card") {
+    add("figcaption", "picture-title", figure.title)
+    // In an image element, scripts and addresses in the picture have no effect.
+    val image = add("img")
+    image.setAttribute("alt", figure.title)
+    image.addEventListener("error", {
+        image.remove()
+        add("p", "unit", "This picture cannot be drawn.")
+    })
+    image.setAttribute("src", "data:${figure.mediaType};base64,${figure.base64}")
 }

@@ -5,6 +5,7 @@ import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
+import badlog.page.dom.addTextField
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.viewer.choices.formula.Suggestions
@@ -44,7 +45,7 @@ internal class FormulaDialog(
             add("p", "formula-hint", "A name, a unit in brackets if it has one, = and a calculation with topics, as in")
             add("code", "", "Power [W] = Battery Voltage * Total Current")
             add("div", "formula-entry") {
-                input = add("input", "formula-input").unsafeCast<HTMLInputElement>()
+                input = addTextField("formula-input", "formula", "Formula")
                 submitButton = addButton("", "Add graph") { submit() }.apply { id = "formula-add" }
             }
             suggestions = add("div", "formula-suggestions")
@@ -57,10 +58,6 @@ internal class FormulaDialog(
     val element: HTMLElement = dialog.element
 
     init {
-        input.id = "formula"
-        input.autocomplete = "off"
-        input.spellcheck = false
-        input.setAttribute("aria-label", "Formula")
         input.setAttribute("aria-describedby", "formula-message")
         message.id = "formula-message"
         message.setAttribute("role", "status")

@@ -4,11 +4,14 @@ import badlog.core.analysis.Graph
 import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
 import badlog.expression.ExpressionError
+import badlog.expression.ViewWithVirtualTopics
 import badlog.expression.VirtualTopic
+import badlog.expression.VirtualTopicsDraft
 import badlog.expression.signals.Vocabulary
 import badlog.expression.vocabularyWith
 import badlog.expression.withoutTopics
 import badlog.page.dom.LocalStorage
+import badlog.page.dom.sliceMillis
 import badlog.signals.beginVirtualTopics
 import badlog.signals.namesWith
 import badlog.signals.vocabulary.SignalVocabulary
@@ -19,6 +22,7 @@ import badlog.viewer.choices.formula.formulasOf
 import badlog.viewer.choices.formula.keyOf
 import badlog.viewer.choices.formula.usersOf
 import badlog.viewer.choices.mergedWith
+import kotlinx.browser.window
 
 /**
  * The calculated topics of the page: its own, and its reader's, which the browser remembers for the file. Each calculation is done
@@ -192,5 +196,61 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
         }
         running = slices
         slices.next()
+    }
+}
+
+/**
+ * Calculates the topics of [draft] in slices, so that the page stays responsive. Work that fits one slice is done at once.
+ *
+ * @param onProgress called after each slice but the last, with the share of the work that is done.
+ * @param onFailure called if there is not enough memory, or for an unexpected error.
+ * @param done called at the end, unless the work is canceled.
+ */
+internal class FormulaSlices(
+    private val draft: VirtualTopicsDraft,
+    private val onProgress: (Double) -> Unit,
+    private val onFailure: (Throwable) -> Unit,
+    private val done: (ViewWithVirtualTopics) -> Unit,
+) {
+    /** Whether it is done, canceled or failed. */
+    var isOver = false
+        private set
+
+    /** Calculates until the time of one slice is over; a timer then starts the next slice. */
+    fun next() {
+        if (isOver) return
+        val end = window.performance.now() + sliceMillis(SLICE)
+        work { window.performance.now() < end }
+    }
+
+    /** Calculates the rest at once. */
+    fun finish() {
+        if (!isOver) work { true }
+    }
+
+    /** Stops the work for good; none of the functions is called afterwards. */
+    fun cancel() {
+        isOver = true
+    }
+
+    private fun work(mayGoOn: () -> Boolean) {
+        try {
+            while (draft.step()) {
+                if (mayGoOn()) continue
+                onProgress(draft.share)
+                window.setTimeout(::next, 0)
+                return
+            }
+            isOver = true
+            done(draft.extended)
+        } catch (problem: Throwable) {
+            isOver = true
+            onFailure(problem)
+        }
+    }
+
+    private companion object {
+        /** The milliseconds of a slice, which fits into a frame. */
+        const val SLICE = 16
     }
 }

@@ -2,6 +2,7 @@ package badlog.page.graph
 
 import badlog.core.analysis.Graph
 import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.PixelColumns
 import badlog.core.analysis.Span
 import badlog.page.dom.Icon
 import badlog.page.dom.MenuEntry
@@ -14,17 +15,26 @@ import badlog.page.dom.openMenu
 import badlog.page.dom.showText
 import badlog.page.export.imageEntries
 import badlog.page.export.saveTable
+import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.page.xy.XyGraph
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.Plane
 import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.choices.board.lineNames
+import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.draw.axis.yParts
+import badlog.viewer.draw.color.PenColors
 import badlog.viewer.draw.figure.Sheet
 import badlog.viewer.draw.figure.graphHead
+import badlog.viewer.draw.figure.xTitle
+import badlog.viewer.draw.plot.PlotMargins
+import badlog.viewer.draw.plot.drawCursors
+import badlog.viewer.draw.plot.drawPlot
+import badlog.viewer.draw.plot.drawSamples
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.table.CsvDraft
+import badlog.viewer.state.GraphChange
 import badlog.viewer.text.unitText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -244,3 +254,46 @@ internal class GraphCard(
 
 /** The unit beside the title; empty if its lines have several units, which the legend then shows for each line. */
 internal val Graph.titleUnit: String get() = if (series.all { it.unit == unit }) unitText(unit) else ""
+
+/** Draws [content] with the cursors over it and the title of x below. */
+internal fun drawGraphPlot(sheet: Sheet, content: GraphContent, scene: Scene) {
+    val now = scene.range.now
+    val colors = PenColors.LIGHT
+    sheet.part(content.height.toDouble()) { pen ->
+        val frame = PlotMargins.frameOf(sheet.width, content.height, now, pen.density)
+        val plot = content.plotIn(frame, PixelColumns(frame.width.toInt()), pen.density)
+        pen.drawPlot(frame, plot, scene.marks, colors, PlotMargins.BOTTOM * pen.density)
+        // A figure must not show where the pointer happens to be.
+        pen.drawCursors(frame, scene.cursor.now.withoutPointer, colors)
+        scene.cursor.now.pinned?.let { pen.drawSamples(frame, plot, content.drawnLines, it, colors) }
+    }
+    sheet.xTitle(scene.xAxis.title)
+}
+
+/**
+ * The buttons among [tools] that put a graph on the board, on its own or into another graph.
+ *
+ * @param look returns the graph with its current settings.
+ */
+internal class BoardButtons(tools: HTMLElement, private val scene: Scene, private val look: () -> BoardGraph) {
+    private val add: HTMLElement = tools.addIconButton("add-to-graph", Icon.PLUS, "Add to graph…") { offerGraphs() }
+        .apply { setAttribute("aria-haspopup", "menu") }
+    private val pin: HTMLElement = tools.addIconButton("pin", Icon.PIN, "Keep on the board (P)") { togglePin() }
+
+    /** Puts the graph on the board, or removes it. */
+    fun togglePin() = scene.store.send(GraphChange.Toggle(look()))
+
+    /** Shows whether the graph is on the board. */
+    fun update() = pin.setAttribute("aria-pressed", scene.board.now.has(look()).toString())
+
+    /** Lists the graphs of the board to which this one can be added. */
+    private fun offerGraphs() {
+        val titled = scene.board.now.run { graphs.zip(shortTitles) }
+        val graphs = titled.filterNot { (other, _) -> other.lines.containsAll(look().lines) }.take(PageBoard.MAX_OFFERED)
+        if (graphs.isEmpty()) return scene.notice.say("The board has no other graph to add this to; keep one on it first.")
+        val entries = graphs.map { (other, title) ->
+            MenuEntry("Add to “$title”") { scene.store.send(GraphChange.AddLines(other.id, look().lines)) }
+        }
+        openMenu(add, add.closest(".graph")?.parentElement.unsafeCast<HTMLElement>(), entries)
+    }
+}

@@ -2,6 +2,7 @@ package badlog.page.header
 
 import badlog.page.dom.Icon
 import badlog.page.dom.add
+import badlog.page.dom.addTextField
 import badlog.page.dom.element
 import badlog.page.dom.showText
 import badlog.page.view.SearchCounts
@@ -20,18 +21,14 @@ internal class SearchBox(private val search: (Query) -> SearchCounts) {
     val element: HTMLElement = element("div", "search") {
         setAttribute("role", "search")
         appendChild(Icon.SEARCH.draw())
-        input = add("input", "search-input").unsafeCast<HTMLInputElement>()
+        val hint = if (window.innerWidth <= SHORT_WIDTH) "Search" else "Search topics, values, events"
+        input = addTextField("search-input", "search", "Search", hint)
         count = add("output", "search-count")
         add("kbd", "search-key", "/")
     }
 
     init {
-        input.id = "search"
         input.type = "search"
-        input.placeholder = if (window.innerWidth <= SHORT_WIDTH) "Search" else "Search topics, values, events"
-        input.autocomplete = "off"
-        input.spellcheck = false
-        input.setAttribute("aria-label", "Search")
         count.setAttribute("for", "search")
         input.addEventListener("input", { run() })
         input.addEventListener("keydown", { event ->

@@ -5,6 +5,7 @@ import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
+import badlog.page.dom.addTextField
 import badlog.page.view.Notice
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.keptLayoutAfter
@@ -33,7 +34,7 @@ internal class LayoutDialog(
         add("div", "formula-body") {
             add("p", "unit", "This browser keeps them for all logs; ${KeyAction.NEXT_LAYOUT.shortcut} shows the next one.")
             list = add("ul", "topic-list")
-            name = add("input", "formula-input").unsafeCast<HTMLInputElement>()
+            name = addTextField("formula-input", "layout-name", "Name of the layout", "Name, such as Power")
             addButton("", "Keep this board", "Keep this board (Enter)") { keep() }.id = "keep-layout"
         }
     }
@@ -41,11 +42,7 @@ internal class LayoutDialog(
     val element: HTMLElement = dialog.element
 
     init {
-        name.id = "layout-name"
         name.maxLength = LONGEST
-        name.placeholder = "Name, such as Power"
-        name.autocomplete = "off"
-        name.setAttribute("aria-label", "Name of the layout")
         name.addEventListener("keydown", {
             val key = it.unsafeCast<KeyboardEvent>()
             if (key.key == "Enter" && !key.isComposing) {

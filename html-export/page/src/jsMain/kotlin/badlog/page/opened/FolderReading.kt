@@ -7,7 +7,6 @@ import badlog.viewer.catalog.LogSummary
 import kotlinx.browser.window
 import org.w3c.dom.MessageEvent
 import org.w3c.dom.Worker
-import kotlin.js.Promise
 
 /**
  * Reads the logs of a folder and runs [rules] over them. Uses workers if the browser allows them, otherwise the page, one log after the

@@ -5,10 +5,9 @@ import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
+import badlog.page.dom.fileInput
 import badlog.page.dom.isHidden
 import org.w3c.dom.HTMLElement
-import org.w3c.dom.HTMLInputElement
-import org.w3c.dom.asList
 import org.w3c.files.File
 
 /**
@@ -76,18 +75,10 @@ internal fun HTMLElement.addFilePicker(
     onFiles: (List<File>) -> Unit,
     onFolder: ((WatchedFolder) -> Unit)? = null,
 ) {
-    val input = add("input").unsafeCast<HTMLInputElement>()
-    input.type = "file"
+    val input = fileInput("", label, onFiles = onFiles)
     input.multiple = true
-    input.isHidden = true
-    input.setAttribute("aria-label", label)
     if (isFolder) input.setAttribute("webkitdirectory", "")
-    input.addEventListener("change", {
-        // The browser's own list becomes empty with the value.
-        val chosen = input.files?.asList().orEmpty().toList()
-        input.value = ""
-        onFiles(chosen)
-    })
+    appendChild(input)
     fun choose() {
         if (onFolder == null || !WatchedFolder.areThere) return input.click()
         WatchedFolder.choose().then(onFolder).catch { if (it.asDynamic().name != CHANGED_MIND) input.click() }

@@ -267,7 +267,11 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         // Within its own direction, a slash at the beginning of a name stays there.
         val text = cell.open?.let { textButton(Button(cell.text, it, hint = cell.hint), cell.isUnfolded) }
             ?: Node("span", className, attributes = mapOf("title" to cell.ownHint), children = listOf(Node("bdi", text = cell.text)))
-        return Node("div", children = listOfNotNull(cell.color?.let(::swatch), bar ?: cell.severity?.let(::badge), text) + cell.tools.map(::iconButton))
+        return Node(
+            "div",
+            children =
+            listOfNotNull(cell.color?.let(::swatch), bar ?: cell.severity?.let(::badge), text) + cell.tools.map(::iconButton),
+        )
     }
 
     private val Cell.ownHint get() = hint.takeIf { it != text }
@@ -338,7 +342,7 @@ private val PartIcon.icon: Icon
         PartIcon.NOTE -> Icon.NOTE
         PartIcon.ZOOM -> Icon.SEARCH
         PartIcon.CLOSE -> Icon.CLOSE
-        PartIcon.DONE, PartIcon.PERSON -> Icon.LIST
+        PartIcon.COPY, PartIcon.DONE, PartIcon.PERSON -> Icon.LIST
         PartIcon.UNDONE -> Icon.UNDO
         PartIcon.HISTOGRAM -> Icon.BARS
     }

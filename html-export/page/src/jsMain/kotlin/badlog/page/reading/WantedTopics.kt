@@ -10,6 +10,7 @@ import badlog.core.recording.Recording
 import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.WpilogFormat
 import badlog.formats.wpilog.WpilogParser
+import org.w3c.files.Blob
 
 /** The topics [names] to read from a log that is too large to be read whole. */
 internal class WantedTopics(val names: Set<String>) {
@@ -31,3 +32,11 @@ internal class WantedTopics(val names: Set<String>) {
         }
     }
 }
+
+/**
+ * A recording that was read.
+ *
+ * @property isDamaged whether the page was changed since it was exported, so that anything in [recording] may be wrong.
+ * @property made the log of a match, made of several logs, as a WPILOG; null for a log that was read as it is.
+ */
+internal class ReadLog(val recording: Recording, val isDamaged: Boolean, val made: Blob? = null)

@@ -1,8 +1,12 @@
 package badlog.page.screen
 
 import badlog.page.dom.PageEvents
+import badlog.page.dom.add
+import badlog.page.dom.addButton
+import badlog.page.dom.element
 import badlog.page.dom.focusInPlace
 import kotlinx.browser.document
+import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /** The [root] of the page. It shows either a log, the progress of reading, or the reason why a log cannot be shown. */
@@ -50,4 +54,56 @@ internal class PageRoot(private val root: HTMLElement) {
     } catch (problem: Throwable) {
         failUnexpectedly(problem)
     }
+}
+
+/** Records in the page, for programs that control it, the state of the rules: `done` or `failed`. */
+internal fun setRulesState(state: String) {
+    document.documentElement?.setAttribute("data-rules", state)
+}
+
+/** Records in the page, for programs that control it, its state: `loading`, `ready`, `failed`, or `empty` without a log. */
+internal fun setPageState(state: String) {
+    // The rules of the previous log no longer matter.
+    if (state != "ready") document.documentElement?.removeAttribute("data-rules")
+    document.documentElement?.setAttribute("data-state", state)
+}
+
+/** Whether a log is being opened, or rules run over it. */
+internal val isPageBusy: Boolean
+    get() = document.documentElement?.run {
+        getAttribute("data-state") == "loading" || (getAttribute("data-state") == "ready" && getAttribute("data-rules") == null)
+    } ?: true
+
+/** The screen shown while the log [name] is being read; [cancel] stops reading, if that is possible. */
+internal class LoadingScreen(name: String, cancel: (() -> Unit)? = null) {
+    private lateinit var bar: HTMLElement
+
+    val element: HTMLElement = element("div", "screen loading") {
+        setAttribute("role", "status")
+        add("p", "screen-title", "Reading $name…")
+        add("div", "progress") { bar = add("div", "progress-bar") }
+        cancel?.let { addButton("", "Cancel", onClick = it).id = "cancel" }
+    }
+
+    init {
+        // Most logs are loaded before anyone could read this.
+        window.setTimeout({ element.classList.add("is-slow") }, PATIENCE_MILLISECONDS)
+    }
+
+    /** Shows the [share] of the work that is done, 0 to 1. */
+    fun show(share: Double) {
+        bar.style.width = "${share * 100}%"
+    }
+
+    private companion object {
+        const val PATIENCE_MILLISECONDS = 300
+    }
+}
+
+/** Returns the screen shown instead of a log that cannot be shown. */
+internal fun failureScreen(title: String, explanation: String, tools: HTMLElement? = null): HTMLElement = element("div", "screen failure") {
+    setAttribute("role", "alert")
+    add("p", "screen-title", title)
+    add("p", "screen-text", explanation)
+    if (tools != null) appendChild(tools)
 }

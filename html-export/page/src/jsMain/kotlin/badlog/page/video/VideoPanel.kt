@@ -7,6 +7,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
+import badlog.page.dom.fileInput
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Scene
@@ -18,7 +19,6 @@ import badlog.viewer.session.video.enabledStart
 import badlog.viewer.session.video.videoNoteOf
 import badlog.viewer.session.video.within
 import org.w3c.dom.HTMLElement
-import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.HTMLSelectElement
 import org.w3c.dom.HTMLVideoElement
 import org.w3c.dom.url.URL
@@ -46,16 +46,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
     private lateinit var hint: HTMLElement
     private lateinit var link: HTMLElement
 
-    private val input = element("input").unsafeCast<HTMLInputElement>().apply {
-        type = "file"
-        id = "video-file"
-        accept = "video/*,.mkv"
-        isHidden = true
-        addEventListener("change", {
-            files?.item(0)?.let(::open)
-            value = ""
-        })
-    }
+    private val input = fileInput("video-file", "Video file", "video/*,.mkv") { it.firstOrNull()?.let(::open) }
 
     val element: HTMLElement = element("aside", "video card") {
         id = "video"

@@ -68,7 +68,7 @@ class Button(
 )
 
 /** The icons of buttons. */
-enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, ZOOM, CLOSE, DONE, PERSON, UNDONE, HISTOGRAM }
+enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, ZOOM, CLOSE, COPY, DONE, PERSON, UNDONE, HISTOGRAM }
 
 /** Buttons beside each other. */
 class Buttons(override val key: String, val buttons: List<Button>) : Part
@@ -122,6 +122,7 @@ class Field(
  * @property tools its buttons.
  * @property color the index of the color of its lines; null for none.
  * @property field the field with its text; null if it cannot be typed.
+ * @property maxLines the largest number of lines of its text.
  * @property exact returns the value to the last digit; called only when a person asks for it.
  */
 class Value(
@@ -132,6 +133,7 @@ class Value(
     val tools: List<Button> = emptyList(),
     val color: Int? = null,
     val field: Field? = null,
+    val maxLines: Int = 1,
     val exact: () -> String = { text },
 ) : Part
 

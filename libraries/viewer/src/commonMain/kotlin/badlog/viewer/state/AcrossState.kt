@@ -10,6 +10,7 @@ import badlog.viewer.shown.statistics.Statistic
  * @property sort the column by which rows are sorted; null for their own order.
  * @property isDescending whether the largest comes first.
  * @property isOverAll whether every log of the folder has a row; otherwise only the open one and the checked ones.
+ * @property search the search for topics.
  */
 data class AcrossState(
     val topics: List<String> = emptyList(),
@@ -17,6 +18,7 @@ data class AcrossState(
     val sort: AcrossColumn? = null,
     val isDescending: Boolean = false,
     val isOverAll: Boolean = true,
+    val search: String = "",
 ) {
     /** Its columns of figures, from left to right. */
     val figures: List<AcrossColumn.Figure>

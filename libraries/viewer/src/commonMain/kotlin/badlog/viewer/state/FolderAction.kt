@@ -16,9 +16,6 @@ sealed interface FolderAction : Action {
     /** Makes the choices [state] for the statistics across logs. */
     class MeasureAcross(val state: AcrossState) : FolderAction
 
-    /** Searches topics for the statistics across logs. */
-    class SearchAcross(val text: String) : FolderAction
-
     /** Makes the choices [state] for the statistic of many topics. */
     class MeasureTopics(val state: TopicsState) : FolderAction
 }

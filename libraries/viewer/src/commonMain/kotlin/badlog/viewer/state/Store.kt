@@ -30,3 +30,11 @@ class Store(private val cell: StateCell, private val shown: Shown, private val p
         outcome.request?.let(perform)
     }
 }
+
+/**
+ * The outcome of an action.
+ *
+ * @property state the state from now on.
+ * @property request the task for the shell; null for none.
+ */
+class Outcome(val state: ViewerState, val request: Request? = null)

@@ -33,10 +33,11 @@ class ComparePanelSpec : FunSpec({
 
     test("a log is moved by steps and by typing, where only a number counts, and removed") {
         val log = comparePanel(Alignment.START, "open.bag", two).rows()[2] as Value
-        log.tools.first { it.label == "+.1" }.action.request() shouldBe CompareRequest.Move(1, 0.35)
-        log.tools.last().action.request() shouldBe CompareRequest.Remove(1)
+        fun Action.move() = request().shouldBeInstanceOf<CompareRequest.Move>().let { it.log to it.offset }
+        log.tools.first { it.label == "+.1" }.action.move() shouldBe (1 to 0.35)
+        log.tools.last().action.request().shouldBeInstanceOf<CompareRequest.Remove>().log shouldBe 1
         val field = log.field!!
-        field.onText("-2,5").request() shouldBe CompareRequest.Move(1, -2.5)
+        field.onText("-2,5").move() shouldBe (1 to -2.5)
         field.isValid("fast") shouldBe false
     }
 

@@ -208,6 +208,17 @@ class ReduceSpec : FunSpec({
         }
     }
 
+    test("texts are copied and statistics across logs chosen without an open log, and another log keeps the choice") {
+        val closed = object : Shown by log {
+            override val isOpen = false
+        }
+        val copy = Request.Copy { "text" }
+        reduce(beginning, closed, Action.Ask(copy)).request shouldBe copy
+        reduce(beginning, closed, Action.Ask(Request.Formula)).request shouldBe null
+        val chosen = reduce(beginning, closed, FolderAction.MeasureAcross(AcrossState(listOf("A"), search = "a"))).state
+        reduce(chosen, log, PlaceAction.Open(Span(0.0, 1.0))).state.across shouldBe AcrossState(listOf("A"), search = "a")
+    }
+
     test("Escape cancels one at a time: selection, second cursor, first cursor, pointer") {
         var place = Place(Viewport(Span(0.0, 100.0)), Cursors(1.0, 2.0, 3.0), Span(4.0, 5.0))
         place = place.cancelled()

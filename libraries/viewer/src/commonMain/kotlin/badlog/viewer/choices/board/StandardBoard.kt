@@ -1,12 +1,17 @@
 package badlog.viewer.choices.board
 
+import badlog.core.analysis.Graph
 import badlog.core.analysis.LogView
 import badlog.signals.LogShape
+import badlog.signals.pose.Pose
+import badlog.signals.pose.PoseRole
+import badlog.signals.pose.posesOf
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.shown.outline.MAX_SHOWN_GRAPHS
 import badlog.viewer.shown.outline.everChanges
 import badlog.viewer.shown.outline.outlineOf
+import badlog.viewer.shown.search.Query
 
 /**
  * Returns the initial graphs of a log for a board that holds all of them: [boardAbove], then the rest of [defaultBoard]. A log with more
@@ -108,3 +113,82 @@ private val STANDARD = listOf(
     listOf("motor current"),
     listOf("module speed"),
 )
+
+/** Returns the paths of [view] in one graph: driven, planned and seen ones, a few of each. Without a driven path, the board is empty. */
+fun pathBoard(view: LogView): Board {
+    val changing = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
+    val poses = posesOf(view.recording.topics).filter { it.x in changing || it.y in changing }
+    fun of(role: PoseRole, most: Int) = poses.filter { it.role == role }.distinctBy { it.list ?: it.name }.sortedBy { it.depth }.take(most)
+    val driven = of(PoseRole.DRIVEN, MAX_DRIVEN)
+    if (driven.isEmpty()) return Board()
+    val shown = driven + of(PoseRole.PLANNED, MAX_PLANNED) + of(PoseRole.SEEN, MAX_SEEN)
+    return Board().withGraphs(
+        listOf(BoardGraph(0, "Path", shown.flatMap { listOf(it.x, it.y) }.distinct(), isXy = true)),
+    )
+}
+
+/**
+ * Returns the graphs of paths that a search for [query] offers beside the topics; none without a query. There is one for each of [poses],
+ * or for all elements of an array of poses; it is found by its name and by the word “path”.
+ */
+fun pathGraphs(poses: List<Pose>, query: Query): List<BoardGraph> {
+    if (query.isEmpty) return emptyList()
+    return poses.groupBy { it.list ?: it.name }
+        .map { (name, places) -> BoardGraph(0, "Path of $name", places.flatMap { listOf(it.x, it.y) }.distinct(), isXy = true) }
+        .filter { query.matches(it.title) }.take(MAX_OFFERED)
+}
+
+private const val MAX_OFFERED = 20
+private const val MAX_DRIVEN = 2
+private const val MAX_PLANNED = 2
+private const val MAX_SEEN = 3
+
+/**
+ * Returns the graphs that the attributes of a recording's topics define, in order. Neighboring states of a folder share a graph with a
+ * lane for each, as many as fit on a screen. The x axis does not have a graph. Topics with their own times, as in a WPILOG with
+ * everything from a dashboard, are omitted if they never change, unless nothing changes.
+ */
+fun defaultBoard(view: LogView): Board {
+    val hasChanges = view.folders.any { folder -> folder.graphs.any(::changes) }
+    val specs = view.folders.flatMap { folder ->
+        val graphsOfFolder = folder.graphs.filter { graph ->
+            graph.series.any { it.isDerived || it.topic !== view.xAxis.topic } && (!hasChanges || changes(graph))
+        }
+        framesOf(graphsOfFolder).map { graphs ->
+            val first = graphs.first().asBoardGraph()
+            if (graphs.size == 1) return@map first
+            first.copy(title = statesTitle(folder.name), lines = graphs.flatMap { it.asBoardGraph().lines }.distinct())
+        }
+    }
+    return Board(specs).identifiedByLines()
+}
+
+private fun changes(graph: Graph) = graph.series.any { it.topic.times == null || everChanges(it.topic) }
+
+/**
+ * Returns the [graphs] of a folder grouped by frame. Neighbors with states share a frame, with a lane for each, as many as fit on a screen.
+ * Each other graph has its own frame.
+ *
+ * @param isAlone whether a graph has its own frame although it shows states.
+ */
+fun framesOf(graphs: List<Graph>, isAlone: (Graph) -> Boolean = { false }): List<List<Graph>> {
+    val frames = ArrayList<MutableList<Graph>>()
+    for (graph in graphs) {
+        val last = frames.lastOrNull()
+        val isJoined = graph.showsStates && !isAlone(graph) && last != null && last.first().showsStates && !isAlone(last.first())
+        if (isJoined && last.sumOf { it.series.size } + graph.series.size <= MAX_LANES) last += graph else frames += mutableListOf(graph)
+    }
+    return frames
+}
+
+/** Returns the title of a frame with the states of several graphs of [folder], including the folder. */
+fun statesTitle(folder: String): String = if (folder.isEmpty()) "States" else "$folder/States"
+
+/** Returns one graph with all lanes of [frame], which is one of the frames that [framesOf] returns. */
+fun laneGraphOf(frame: List<Graph>): Graph {
+    val first = frame.first()
+    if (frame.size == 1) return first
+    return Graph(statesTitle(first.folder), first.unit, isVirtual = false, first.isFilled, first.includesZero, frame.flatMap { it.series })
+}
+
+private const val MAX_LANES = 16

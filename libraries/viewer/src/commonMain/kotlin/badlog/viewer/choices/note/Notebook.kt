@@ -53,3 +53,36 @@ data class NoteDraft(val x: Double, val text: String, val replaced: Note?)
 
 /** Returns the message after the note at the time [moment] was removed. */
 fun removedText(moment: String): String = "The note at $moment was removed."
+
+/** Returns these notes with a mark at [x]. The mark is a note with a numbered text, such as `Mark 3`, which can be changed later. */
+fun Notebook.marked(x: Double): Notebook {
+    val last = notes.mapNotNull { MARK.matchEntire(it.text)?.groupValues?.get(1)?.toInt() }.maxOrNull() ?: 0
+    return with(notes + Note(x, "Mark ${last + 1}"))
+}
+
+/** Returns the message about a mark that was added at [place], such as `12.3 s`. */
+fun markedText(place: String): String = "Marked at $place; the mark is a note, whose text you can change."
+
+private val MARK = Regex("Mark (\\d{1,6})")
+
+/**
+ * A person's note about a moment of a log.
+ *
+ * @property x the moment, in the unit of the log's x axis; finite.
+ * @property text the text; not blank, at most [MAX_TEXT] characters.
+ * @throws IllegalArgumentException if [x] or [text] is invalid.
+ */
+data class Note(val x: Double, val text: String) {
+    init {
+        require(x.isFinite()) { "A note needs a place on x, not $x." }
+        require(text.isNotBlank() && text.length <= MAX_TEXT) { "A note has 1 to $MAX_TEXT characters, not ${text.length}." }
+    }
+
+    companion object {
+        /** The maximum number of characters in a note. */
+        const val MAX_TEXT: Int = 2000
+
+        /** The maximum number of notes for a log. */
+        const val MAX_NOTES: Int = 1000
+    }
+}

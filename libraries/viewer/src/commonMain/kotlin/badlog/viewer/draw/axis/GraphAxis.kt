@@ -2,6 +2,8 @@ package badlog.viewer.draw.axis
 
 import badlog.core.analysis.Span
 import badlog.core.analysis.Units
+import badlog.viewer.draw.curve.Strokes
+import kotlin.math.abs
 
 /** The side of a graph with the numbers of a y axis. */
 enum class AxisSide {
@@ -74,3 +76,53 @@ private fun alike(chosen: Span, first: Span, whole: Span): Span? = Span(
 fun yParts(limits: List<Span>, part: Span): List<Span> = limits.map { Span(it.to - part.to * it.width, it.to - part.from * it.width) }
 
 private fun isShowable(span: Span) = span.width > 0 && span.width.isFinite()
+
+/**
+ * The visible range of one unit in one graph.
+ *
+ * @property unit the unit; empty if there is none.
+ * @property least the smallest value; NaN if there is none.
+ * @property most the largest value; NaN if there is none.
+ */
+data class SeenOfUnit(val unit: String, val least: Double, val most: Double)
+
+/** Returns the visible range on each of [axes], for lines with these [strokes]. */
+fun seenOn(axes: List<GraphAxis>, strokes: List<Strokes>): List<SeenOfUnit> = axes.map { axis ->
+    val seen = axis.lines.map(strokes::get).filter { !it.min.isNaN() }
+    SeenOfUnit(axis.unit, seen.minOfOrNull { it.min } ?: Double.NaN, seen.maxOfOrNull { it.max } ?: Double.NaN)
+}
+
+/** Returns the visible range of each unit in all graphs that share their limits. [seen] has an entry for each of their axes. */
+fun seenTogether(seen: List<SeenOfUnit>): Map<String, SeenOfUnit> {
+    val together = HashMap<String, SeenOfUnit>()
+    for (one in seen) {
+        if (one.least.isNaN()) continue
+        val other = together[one.unit] ?: one
+        together[one.unit] = SeenOfUnit(one.unit, minOf(one.least, other.least), maxOf(one.most, other.most))
+    }
+    return together
+}
+
+/**
+ * Returns the y limits that fit [least] to [most], and also 0 if [includesZero]. If nothing is visible, both are NaN, and the limits are
+ * 0 to 1.
+ */
+fun limitsFor(least: Double, most: Double, includesZero: Boolean): Span {
+    if (least.isNaN()) return Span(0.0, 1.0)
+    val low = (if (includesZero) minOf(least, 0.0) else least).coerceIn(-MAX_MAGNITUDE, MAX_MAGNITUDE)
+    val high = (if (includesZero) maxOf(most, 0.0) else most).coerceIn(-MAX_MAGNITUDE, MAX_MAGNITUDE)
+    val isFlat = high - low <= abs(high) * FLAT
+    // A margin of 0, a tenth of the smallest double, would leave an empty range.
+    val margin = (if (isFlat) abs(high) * 0.1 else (high - low) * MARGIN).let { if (it == 0.0) 1.0 else it }
+    // A line that is always 0 would be on the frame's edge.
+    if (low == 0.0 && high == 0.0) return Span(-margin, margin)
+    // Values that are never below 0 have no margin there: it would look as if they could be negative.
+    return Span(
+        from = if (low >= 0.0 && low - margin < 0.0) 0.0 else low - margin,
+        to = if (high <= 0.0 && high + margin > 0.0 && low < 0.0) 0.0 else high + margin,
+    )
+}
+
+private const val MARGIN = 0.07
+private const val FLAT = 1e-12
+private const val MAX_MAGNITUDE = 7e307

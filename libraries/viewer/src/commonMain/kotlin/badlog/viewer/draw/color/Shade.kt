@@ -1,5 +1,9 @@
 package badlog.viewer.draw.color
 
+import badlog.core.recording.Severity
+import badlog.viewer.draw.mark.RobotMode
+import kotlin.math.roundToInt
+
 /** A color of page and window by its purpose, in the light and the dark theme, as `0xRRGGBB`. */
 enum class Shade(private val light: Int, private val dark: Int) {
     /** The background of everything. */
@@ -94,3 +98,64 @@ private val DARK_LINES = intArrayOf(
     0x5AA9FF, 0xFF8A57, 0x3FCFA4, 0xD58BE0, 0xE8C04A, 0x5FD3EE, 0xFF7AA2, 0xB3CC4F,
     0xA99BFF, 0xD19A6F, 0xCDD6E1, 0x1FA88C, 0xF7B1D4, 0x3F78D8, 0xC97B16, 0x8794A5,
 )
+
+/** The colors of the dark or the light theme for a pen, as `0xAARRGGBB`. */
+class PenColors private constructor(val isDark: Boolean) {
+    /** Returns the color of [shade]. */
+    operator fun get(shade: Shade): Int = OPAQUE or shade.of(isDark)
+
+    /** Returns the color of line [index], from 0. */
+    fun line(index: Int): Int = OPAQUE or lineColor(index, isDark)
+
+    /** Returns the color of a block in state [index], from 0. It is a line's color, muted enough for text on top of it. */
+    fun state(index: Int): Int = over(line(index), this[Shade.SURFACE], stateOpacity(isDark))
+
+    /** Returns the color of [severity]. */
+    fun severity(severity: Severity): Int = this[severityShade(severity)]
+
+    companion object {
+        private const val OPAQUE = 0xFF shl 24
+
+        /** The light theme, which is also used on paper. */
+        val LIGHT: PenColors = PenColors(isDark = false)
+
+        val DARK: PenColors = PenColors(isDark = true)
+
+        /** Returns the colors of the dark or the light theme. */
+        fun of(isDark: Boolean): PenColors = if (isDark) DARK else LIGHT
+    }
+}
+
+/** Returns the color of findings of [severity]. */
+fun severityShade(severity: Severity): Shade = when (severity) {
+    Severity.ERROR -> Shade.ERROR
+    Severity.WARNING -> Shade.WARNING
+    Severity.NOTE -> Shade.MUTED
+}
+
+/** Returns [color] with [opacity] from 0 to 1. */
+fun faded(color: Int, opacity: Double): Int = (color and 0xFFFFFF) or ((opacity * 255).roundToInt() shl 24)
+
+/** Returns the color that [color] with [opacity] has on [ground]. */
+private fun over(color: Int, ground: Int, opacity: Double): Int {
+    fun mixed(shift: Int): Int {
+        val top = (color shr shift) and 0xFF
+        val below = (ground shr shift) and 0xFF
+        return (below + (top - below) * opacity).roundToInt() shl shift
+    }
+    return (0xFF shl 24) or mixed(16) or mixed(8) or mixed(0)
+}
+
+/**
+ * Returns the shade of [mode]. It is amber for autonomous and blue for teleop, which everybody can distinguish, and gray if the log does
+ * not name the mode.
+ */
+fun modeShade(mode: RobotMode): Shade = when (mode) {
+    RobotMode.AUTONOMOUS -> Shade.AUTONOMOUS
+    RobotMode.TELEOP -> Shade.TELEOP
+    RobotMode.TEST, RobotMode.UTILITY -> Shade.TEST
+    RobotMode.ENABLED -> Shade.MUTED
+}
+
+/** Returns the opacity of the shade behind a graph. It is visible at a glance, but weaker than the lines on top of it. */
+fun modeOpacity(isDark: Boolean): Double = if (isDark) 0.11 else 0.08

@@ -1,6 +1,13 @@
 package badlog.viewer.draw.path
 
+import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
+import badlog.signals.clock.secondsPerX
+import badlog.signals.pose.Pose
+import badlog.signals.pose.posesOf
+import badlog.signals.swerve.swerveModulesOf
+import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.shown.comparison.colorOf
@@ -57,4 +64,61 @@ class XyPart internal constructor(internal val log: XyLog, val plot: XyPlot, val
     }
 
     private fun named(text: String) = if (isCompared) "$text (${log.name})" else text
+}
+
+/** The legend's entry for [trace], which [part] draws. */
+class XyEntry internal constructor(private val part: XyPart, private val trace: XyTrace) {
+    /** The name of the trace. */
+    val name: String get() = trace.name
+
+    /** The name of the trace's log; null if no other log is drawn. */
+    val log: String? get() = part.log.name.takeIf { part.isCompared }
+
+    /** The names of the trace's lines, by which a board hides it. */
+    val lines: List<String> get() = trace.lines
+
+    /** The index of the trace's color in the palette. */
+    val color: Int get() = part.colorOf(trace.color)
+
+    /** The name of the trace, with the log's name unless that is the open log. */
+    val title: String get() = if (part.index == 0) name else "$name (${part.log.name})"
+
+    /** Returns whether the trace is drawn while the lines in [hidden] are not. */
+    fun isShown(hidden: Set<String>): Boolean = lines.none { it in hidden }
+
+    /** Returns the trace's places at [cursors], or its numbers if it is not on a field. Empty if it has none there. */
+    fun textAt(cursors: Cursors): String {
+        val texts = listOfNotNull(cursors.x, cursors.second).map { trace.textAt(it - part.log.offset, part.plot.isField) }
+        return if (texts.all { it.isEmpty() }) "" else texts.joinToString(" → ") { it.ifEmpty { NOWHERE } }
+    }
+
+    private companion object {
+        const val NOWHERE = "–"
+    }
+}
+
+/**
+ * A log that graphs of y over x draw.
+ *
+ * @property paths the log's content for such graphs.
+ * @property name the log's name beside the others.
+ * @property offset the number that is added to the log's x.
+ */
+class XyLog(val paths: LogPaths, val name: String = "", val offset: Double = 0.0)
+
+/**
+ * The content of a log that graphs of y over x can draw.
+ *
+ * @param field the field of its paths.
+ * @param line finds a line of the log by its name.
+ */
+class LogPaths(internal val view: LogView, private val field: Field, private val line: (String) -> GraphSeries?) {
+    /** The poses in the log's topics. */
+    val poses: List<Pose> = posesOf(view.recording.topics)
+
+    private val modules = swerveModulesOf(view.recording.topics)
+
+    /** Returns the plot of y over x for a graph of [lines], with poses measured from [origin]. Null if there is nothing to draw. */
+    fun plotOf(lines: List<String>, origin: FieldOrigin = FieldOrigin.BLUE): XyPlot? =
+        xyPlotOf(lines, poses, modules, origin.flipIn(view, field), field, view.secondsPerX, line)
 }

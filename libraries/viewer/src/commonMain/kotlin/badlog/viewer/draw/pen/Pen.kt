@@ -102,3 +102,54 @@ abstract class PenImage(val source: String, val width: Int, val height: Int)
  * so that their pictures agree.
  */
 const val BASELINE: Double = 0.35
+
+/** A growing list of places, x and y alternating, without an allocation for each place. It is reused for the next drawing. */
+class Points {
+    /** The numbers, in the first [size] entries. */
+    var values: DoubleArray = DoubleArray(FIRST)
+        private set
+
+    /** The number of used entries in [values]: two for each place. */
+    var size: Int = 0
+        private set
+
+    /** Adds the place ([x], [y]). */
+    fun add(x: Double, y: Double): Points {
+        if (size == values.size) values = values.copyOf(size * 2)
+        values[size++] = x
+        values[size++] = y
+        return this
+    }
+
+    /** Adds both ends of a line. */
+    fun line(fromX: Double, fromY: Double, toX: Double, toY: Double): Points = add(fromX, fromY).add(toX, toY)
+
+    fun clear(): Points {
+        size = 0
+        return this
+    }
+
+    private companion object {
+        const val FIRST = 32
+    }
+}
+
+/** Returns [text], or its beginning and `…` if it is wider than [room]. */
+fun Pen.fittedStart(text: String, room: Double, letters: Double, isBold: Boolean = false): String =
+    fitted(text, room, letters, isBold) { text.take(it) + "…" }
+
+/** Returns [text], or both its ends with `…` between if it is wider than [room]. Names often differ only at their ends. */
+fun Pen.fittedEnds(text: String, room: Double, letters: Double): String = fitted(text, room, letters, isBold = false) { length ->
+    text.take(length / 2) + "…" + text.takeLast(length - length / 2)
+}
+
+private fun Pen.fitted(text: String, room: Double, letters: Double, isBold: Boolean, cut: (Int) -> String): String {
+    if (widthOf(text, letters, isBold) <= room) return text
+    var fits = 0
+    var tooLong = text.length
+    while (tooLong - fits > 1) {
+        val length = (fits + tooLong) / 2
+        if (widthOf(cut(length), letters, isBold) <= room) fits = length else tooLong = length
+    }
+    return cut(fits)
+}

@@ -11,6 +11,9 @@ import badlog.viewer.draw.pen.TextSide
 import badlog.viewer.shown.statistics.Histogram
 import badlog.viewer.text.fixedText
 import badlog.viewer.text.withUnit
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
 
 /**
  * Draws [histogram] of a line in [unit], in the color of line [color]. It has a bar for each bin, the values below, and the share of the
@@ -49,3 +52,24 @@ const val HISTOGRAM_HEIGHT: Int = 120
 
 private const val SIDE = 12.0
 private const val PERCENT = 100
+
+/** Returns the [ROUNDED_CORNERS] corners of a box that is rounded with [radius], clockwise. */
+internal fun roundedBox(left: Double, top: Double, width: Double, height: Double, radius: Double): Points {
+    val points = Points()
+    for (quarter in 0 until QUARTERS) {
+        val centerX = if (quarter == 0 || quarter == QUARTERS - 1) left + width - radius else left + radius
+        val centerY = if (quarter < 2) top + height - radius else top + radius
+        for (step in 0..STEPS) {
+            val angle = (quarter + step.toDouble() / STEPS) * PI / 2
+            points.add(centerX + radius * cos(angle), centerY + radius * sin(angle))
+        }
+    }
+    return points
+}
+
+private const val QUARTERS = 4
+
+/** The number of steps in a quarter of a circle: more are invisible at a radius of a few pixels. */
+private const val STEPS = 4
+
+internal const val ROUNDED_CORNERS: Int = QUARTERS * (STEPS + 1)

@@ -1,7 +1,9 @@
 package badlog.viewer.panel.folder
 
+import badlog.viewer.catalog.ListedLog
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Card
+import badlog.viewer.panel.Cards
 import badlog.viewer.panel.Check
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
@@ -14,6 +16,10 @@ import badlog.viewer.panel.Tone
 import badlog.viewer.panel.newItemForm
 import badlog.viewer.panel.nextMatchForm
 import badlog.viewer.panel.offersFor
+import badlog.viewer.shown.battery.BatteryAdvice
+import badlog.viewer.shown.folder.PitLogs
+import badlog.viewer.shown.folder.pitFacts
+import badlog.viewer.shown.folder.verdictText
 import badlog.viewer.state.Action
 import badlog.viewer.state.FolderAction
 import badlog.viewer.state.FolderRequest
@@ -26,6 +32,7 @@ import badlog.viewer.todo.TodoItem
 import badlog.viewer.todo.TodoList
 import badlog.viewer.todo.checklistTitle
 import badlog.viewer.todo.lines
+import badlog.viewer.todo.toMarkdown
 
 /**
  * The team's list with its checklist.
@@ -50,9 +57,10 @@ data class ListedTodo(
  */
 fun todoPanel(todo: ListedTodo, unfolded: Map<String, Boolean>, pathOf: (name: String) -> String?): List<Part> {
     val list = todo.list
+    val copy = Request.Copy { list.toMarkdown(todo.checks.map { it.check.text }) }
     val tools = listOf(
         Button("New item…", ask(FolderRequest.Fill(newItemForm())), PartIcon.ADD, "New item", todo.hasFolder),
-        Button("Copy as Markdown", ask(FolderRequest.CopyTodo), hint = "Copy the list as Markdown", isEnabled = todo.hasFolder),
+        Button("Copy as Markdown", ask(copy), hint = "Copy the list as Markdown", isEnabled = todo.hasFolder),
         Button("Save as page…", ask(FolderRequest.SaveTodo), hint = "Save the list as a page", isEnabled = todo.hasFolder),
     )
     fun rows(key: String, name: String, items: List<TodoItem>) =
@@ -139,3 +147,60 @@ private const val OWN_LINES = "To add lines of your own, write them into $CHECKL
 
 /** The number of items that are read at a glance. */
 private const val MAX_IN_PIT = 4
+
+/**
+ * Returns the last log, batteries, the team's list and earlier logs, for a look between two matches.
+ *
+ * @param logs the logs; null if there are none.
+ * @param emptiness the reason for that, as a sentence.
+ * @param openBatteries shows the batteries; null if that is impossible.
+ * @param todo the team's list, see [pitTodo]; null if there is none.
+ * @param willRead returns whether a log is read without being opened.
+ */
+fun <E : ListedLog> pitPanel(
+    logs: PitLogs<E>?,
+    emptiness: String,
+    advice: BatteryAdvice,
+    openBatteries: Action? = null,
+    todo: Card? = null,
+    willRead: (E) -> Boolean = { true },
+): List<Part> {
+    val heading = Heading("Pit view", "")
+    if (logs == null) return listOf(heading, Paragraph("empty", emptiness, Tone.TITLE))
+    val batteries = advice.inPit.mapIndexed { i, each ->
+        val severity = each.severity.takeIf { each !== advice.next }
+        Card("battery $i", each.pitText, severity = severity, open = openBatteries, hint = "Show the batteries")
+    }
+    return listOf(
+        heading,
+        Paragraph("pit-title", logs.last.title, Tone.TITLE),
+        Paragraph("pit-facts", pitFacts(logs.last), Tone.MUTED),
+        lastLog(logs.last, willRead(logs.last)),
+    ) + batteries + listOfNotNull(
+        todo,
+        Cards("pit-before", logs.before.map { earlierLog(it, willRead(it)) }).takeIf { it.cards.isNotEmpty() },
+    )
+}
+
+private fun lastLog(log: ListedLog, isRead: Boolean): Card {
+    val verdict = log.found?.verdict
+    val next = verdict?.next.orEmpty()
+    val unread = if (isUnread(log, isRead)) listOf("Open it to see what is in it.") else emptyList()
+    val lines = unread + verdict?.sentences.orEmpty() + listOf("Next: $next").filter { next.isNotEmpty() }
+    return cardOf(log, "", isRead, lines, isLarge = true)
+}
+
+private fun earlierLog(log: ListedLog, isRead: Boolean) = cardOf(log, log.title, isRead, emptyList(), isLarge = false)
+
+private fun cardOf(log: ListedLog, title: String, isRead: Boolean, lines: List<String>, isLarge: Boolean) = Card(
+    log.path,
+    title,
+    if (isUnread(log, isRead)) "Not read yet" else verdictText(log.found),
+    lines,
+    log.found?.verdict?.severity,
+    isLarge,
+    FolderAction.Open(log.path, showsFinding = true),
+    "Show what was found in ${log.title}",
+)
+
+private fun isUnread(log: ListedLog, isRead: Boolean) = log.found == null && !isRead

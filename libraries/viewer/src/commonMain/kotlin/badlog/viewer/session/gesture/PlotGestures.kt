@@ -1,8 +1,10 @@
 package badlog.viewer.session.gesture
 
 import badlog.core.analysis.Span
+import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.KeyAction
+import badlog.viewer.input.OverviewGrip
 import badlog.viewer.input.PlotPointer
 import badlog.viewer.input.PointerButton
 import badlog.viewer.input.Wheel
@@ -98,4 +100,70 @@ open class PlotGestures(private val target: PlotTarget, private val isAxis: Bool
     }
 
     private fun lineShareAt(at: PlotPointer) = (at.shareY / target.lineShare).coerceIn(0.0, 1.0)
+}
+
+/**
+ * A drag over a plot.
+ *
+ * @property startX the x of its start.
+ * @property startY the distance of its start from the top of the lines, as a fraction of their height.
+ * @property before the visible range at its start.
+ * @property x the current x.
+ * @property y the current fraction.
+ */
+data class PlotDrag(
+    val kind: DragKind,
+    val startX: Double,
+    val startY: Double,
+    val before: Viewport,
+    val x: Double = startX,
+    val y: Double = startY,
+) {
+    /** The dragged range of x. */
+    val xSpan: Span get() = Span(minOf(startX, x), maxOf(startX, x))
+
+    /** The dragged part of the lines' height, from the top. */
+    val ySpan: Span get() = Span(minOf(startY, y), maxOf(startY, y))
+
+    /** The action that undoes the drag's changes so far; null if there are none. */
+    val undoing: PlaceAction? get() = if (kind == DragKind.PAN) PlaceAction.Range(before) else null
+}
+
+/**
+ * The gestures of a mouse or of fingers over the overview, which always shows the whole log. Drags move the visible range or one of its
+ * edges, or select a new one; a click moves the range there, and pins the cursor.
+ */
+class OverviewGestures(private val target: PlotTarget) : PlotGestures(target) {
+    private var grip = OverviewGrip.NEW
+
+    /** Returns the part of the overview that a drag from [at] grabs. */
+    fun gripAt(at: PlotPointer): OverviewGrip = target.place.range.let { OverviewGrip.at(placeAt(at), it, it.full.width / at.width) }
+
+    override fun placeAt(at: PlotPointer): Double =
+        target.place.range.full.let { (it.from + at.shareX * it.width).coerceIn(it.from, it.to) }
+
+    override fun kindOf(at: PlotPointer): DragKind = DragKind.PAN
+
+    override fun begin(kind: DragKind, start: PlotPointer) {
+        grip = gripAt(start)
+        super.begin(kind, start)
+    }
+
+    override fun drag(at: PlotPointer) {
+        val (_, start, _, before) = target.drag ?: return
+        val x = placeAt(at)
+        val seen = before.visible
+        target.send(
+            when (grip) {
+                OverviewGrip.LEFT -> PlaceAction.Move(minOf(x, seen.to), seen.to)
+                OverviewGrip.RIGHT -> PlaceAction.Move(seen.from, maxOf(x, seen.from))
+                OverviewGrip.WINDOW -> PlaceAction.Move(seen.from + x - start, seen.to + x - start)
+                OverviewGrip.NEW -> PlaceAction.Move(start, x)
+            },
+        )
+    }
+
+    override fun hover(at: PlotPointer) = Unit
+
+    override fun clickAt(at: PlotPointer, isShifted: Boolean) = target.send(PlaceAction.Pick(placeAt(at)))
 }

@@ -1,6 +1,7 @@
 package badlog.viewer.session.link
 
 import badlog.core.analysis.Span
+import badlog.rules.Finding
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardException
 import badlog.viewer.choices.board.boardOfText
@@ -8,6 +9,11 @@ import badlog.viewer.choices.board.spanOfText
 import badlog.viewer.choices.board.spanText
 import badlog.viewer.choices.board.toText
 import badlog.viewer.session.video.VideoAlignment
+import badlog.viewer.state.Action
+import badlog.viewer.state.FindingAction
+import badlog.viewer.state.Place
+import badlog.viewer.state.PlaceAction
+import badlog.viewer.state.WantedFinding
 import badlog.viewer.text.addressText
 import badlog.viewer.text.decimalsFor
 import badlog.viewer.text.fixedText
@@ -138,3 +144,77 @@ private const val TIME_LENGTH = 12
 private const val HEXADECIMAL = 16
 private const val DIGITS = 2
 private const val LAST_ASCII = 0x7f
+
+/**
+ * The parts of a page that a reader has opened.
+ *
+ * @property search the text in the search box; may be empty.
+ * @property hasValues whether the values at the cursor are open.
+ * @property hasModules whether the modules of a swerve drive are open.
+ * @property statistics the places on the board, from 1, of the graphs with open statistics.
+ */
+data class OpenedParts(
+    val search: String = "",
+    val hasValues: Boolean = false,
+    val hasModules: Boolean = false,
+    val statistics: List<Int> = emptyList(),
+) {
+    /** Returns everything except [search] for an address: `values;1;3` or `modules;1`. */
+    internal fun toText(): String {
+        val panels = listOfNotNull(VALUES.takeIf { hasValues }, MODULES.takeIf { hasModules })
+        return (panels + statistics).joinToString(";")
+    }
+}
+
+/** Returns the opened parts of [text], as [OpenedParts.toText] writes it, with [search]. Parts of a newer badlog are ignored. */
+internal fun openedPartsOf(text: String, search: String): OpenedParts {
+    val parts = text.split(';')
+    val statistics = parts.mapNotNull(String::toIntOrNull).filter { it > 0 }.distinct()
+    return OpenedParts(search, VALUES in parts, MODULES in parts, statistics)
+}
+
+private const val VALUES = "values"
+private const val MODULES = "modules"
+
+/**
+ * The pinned cursors and the selected finding, each as the end of an address. They are restored when the log is opened again; may be empty.
+ */
+val Place.keptText: String
+    get() {
+        val selected = visited?.run { WantedFinding(finding.rule, finding.topic, span.from) } ?: wanted
+        val finding = selected?.run { PageAddress(x, finding = FindingName(rule, topic)) } ?: PageAddress()
+        val cursors = PageAddress(cursors.pinned, second = cursors.second)
+        return listOf(cursors, finding).joinToString(" ") { it.toText() }.trim()
+    }
+
+/** Returns the actions that lead back to the place of [text], which [keptText] wrote. */
+fun actionsOfKept(text: String): List<Action> = text.split(' ').mapNotNull { part ->
+    val address = pageAddressOf(part)
+    val x = address.moment ?: return@mapNotNull null
+    address.finding?.run { FindingAction.Select(WantedFinding(rule, topic, x)) } ?: PlaceAction.Pin(x, address.second)
+}
+
+/**
+ * The name that distinguishes a finding from others that begin at the same moment.
+ *
+ * @property rule the name of the rule or the hook that found it.
+ * @property topic the topic of the finding; null if there is none.
+ */
+class FindingName(val rule: String, val topic: String?) {
+    /** Returns whether this is the name of [finding]. */
+    fun isOf(finding: Finding): Boolean = finding.rule == rule && finding.topic == topic
+
+    /** Returns the name for an address: `Brownout;PDP/Voltage`. */
+    internal fun toText(): String = listOfNotNull(rule, topic).joinToString(";", transform = ::addressText)
+
+    companion object {
+        /** Returns the name of [finding]. */
+        fun of(finding: Finding): FindingName = FindingName(finding.rule, finding.topic)
+    }
+}
+
+/** Returns the name that [FindingName.toText] wrote as [text]; null for any other text. */
+internal fun findingNameOf(text: String): FindingName? {
+    val names = text.split(';').map { nameOfAddress(it) ?: return null }
+    return if (names.size > 2) null else FindingName(names[0], names.getOrNull(1))
+}

@@ -1,6 +1,7 @@
 package badlog.viewer.session.video
 
 import badlog.core.analysis.Span
+import kotlin.math.abs
 import kotlin.math.round
 
 /**
@@ -50,3 +51,39 @@ fun alignmentHint(hasEnabled: Boolean): String = if (hasEnabled) {
  * [visible], otherwise of the very first. [enabled] is in the order of x. Null if the log does not show when the robot was enabled.
  */
 fun enabledStart(enabled: List<Span>, visible: Span): Double? = (enabled.firstOrNull { it.from in visible } ?: enabled.firstOrNull())?.from
+
+/**
+ * The stored facts about a video of a log.
+ *
+ * @property name the name of the video's file.
+ * @property alignment the alignment with the log; null before the video is aligned.
+ */
+class VideoNote(val name: String, val alignment: VideoAlignment?) {
+    /** Returns the note as one line, which [videoNoteOf] reads: `12.5 match.mp4`, and `- match.mp4` without an alignment. */
+    fun toText(): String = "${alignment?.startSeconds ?: NONE} $name"
+}
+
+/** Returns the note that [VideoNote.toText] wrote as [text]; null for any other text. */
+fun videoNoteOf(text: String): VideoNote? {
+    val (start, name) = text.split(' ', limit = 2).takeIf { it.size == 2 } ?: return null
+    if (start == NONE) return VideoNote(name, null)
+    return start.toDoubleOrNull()?.takeIf(Double::isFinite)?.let { VideoNote(name, VideoAlignment(it)) }
+}
+
+/**
+ * Returns [notes], the stored notes about a log's videos, with this one. It replaces an older note about the same video. Each note is one
+ * line.
+ */
+fun VideoNote.within(notes: String): String =
+    (notes.lines().filter { line -> videoNoteOf(line).let { it != null && it.name != name } } + toText()).joinToString("\n")
+
+private const val NONE = "-"
+
+/** The playback speeds of a video and of the cursor; 1 is the recorded speed. */
+val VIDEO_SPEEDS: List<Double> = listOf(0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0)
+
+/** Returns the speed [steps] higher than [speed], or lower if negative; it stops at either end. */
+fun speedAfter(speed: Double, steps: Int): Double {
+    val nearest = VIDEO_SPEEDS.indices.minBy { abs(VIDEO_SPEEDS[it] - speed) }
+    return VIDEO_SPEEDS[(nearest + steps).coerceIn(VIDEO_SPEEDS.indices)]
+}

@@ -1,8 +1,13 @@
 package badlog.viewer.shown.cursor
 
 import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.Series
 import badlog.core.analysis.Units
 import badlog.core.analysis.XAxis
+import badlog.signals.pose.lastAtOrBefore
+import badlog.viewer.choices.range.wholeRange
+import badlog.viewer.text.numberText
+import badlog.viewer.text.withUnit
 import kotlin.math.abs
 
 /**
@@ -104,4 +109,121 @@ class CursorValue(val line: Int, val change: Double) {
     private companion object {
         const val NOISE = 0.02
     }
+}
+
+/**
+ * Returns the announcement of a screen reader when a key has moved a cursor to [x]. It has [place], the text of x, and the first values of
+ * [lines] there.
+ */
+fun spokenAt(lines: List<GraphSeries>, x: Double, place: String): String {
+    val values = lines.take(MAX_SPOKEN).mapNotNull { line ->
+        val text = line.textOf(line.indexAt(x)) { withUnit(numberText(it), line.unit) }
+        if (text.isEmpty()) null else "${line.name} $text"
+    }
+    return (listOf(place) + values).joinToString(", ")
+}
+
+private const val MAX_SPOKEN = 4
+
+/**
+ * Returns the index of the sample that a cursor at [x] reads on this line; -1 outside the line's recording, or if [x] is NaN.
+ *
+ * All front ends share this rule. Values that hold until they change, such as states and topics with times of their own, are read from
+ * the last sample at or before the cursor, so nothing is read before the first sample. Numbers that were measured row by row, and
+ * calculated ones, are read from the nearest sample, on which the cursor's dot is drawn.
+ */
+fun GraphSeries.indexAt(x: Double): Int = when {
+    x !in wholeRange -> -1
+    states != null || holds -> data.lastAtOrBefore(x)
+    else -> data.nearest(x)
+}
+
+/**
+ * Returns the x of a cursor's dot on this line, for a cursor at [x]. It is at the cursor if the value holds, otherwise at the sample. NaN
+ * if there is none.
+ */
+fun GraphSeries.dotAt(x: Double): Double {
+    val index = indexAt(x)
+    return if (index < 0) {
+        Double.NaN
+    } else if (holds) {
+        x
+    } else {
+        data.x[index]
+    }
+}
+
+/**
+ * Returns sample [index] of this line as text: the name of its state, or its number formatted by [sampleText]. `–` for a gap, and for an
+ * index without a sample.
+ */
+fun GraphSeries.textOf(index: Int, sampleText: (Double) -> String = ::numberText): String {
+    if (index !in 0 until data.size) return NOTHING
+    val value = data.y[index]
+    if (value.isNaN()) return NOTHING
+    return states?.let { it.getOrElse(value.toInt()) { "?" } } ?: sampleText(value)
+}
+
+private const val NOTHING = "–"
+
+/**
+ * The places on x that the cursor steps to: places with a sample, each once.
+ *
+ * @param clocks every x with a sample, see [badlog.core.analysis.XAxis.clocks]; may have gaps, and may go backwards. Evaluated at the
+ *   first step.
+ */
+class CursorSteps(clocks: List<DoubleArray>) {
+    private val places: List<Series> by lazy { clocks.map(::ascending).filter { it.size > 0 } }
+
+    /** Returns the place nearest to [x]; NaN if there are no samples. */
+    fun nearest(x: Double): Double {
+        var nearest = Double.NaN
+        for (clock in places) {
+            val place = clock.x[clock.nearest(x)]
+            if (nearest.isNaN() || abs(place - x) < abs(nearest - x)) nearest = place
+        }
+        return nearest
+    }
+
+    /**
+     * Returns the place [count] steps after [x], or before it if negative. The steps end at the last and the first place. NaN if there
+     * are no samples.
+     */
+    fun from(x: Double, count: Int): Double {
+        if (places.isEmpty()) return Double.NaN
+        var place = x
+        repeat(abs(count)) { place = if (count > 0) after(place) else before(place) }
+        return place
+    }
+
+    private fun after(x: Double): Double {
+        var next = Double.POSITIVE_INFINITY
+        for (clock in places) {
+            val index = clock.firstAfter(x)
+            if (index < clock.size) next = minOf(next, clock.x[index])
+        }
+        return if (next.isFinite()) next else places.maxOf { it.x.last() }
+    }
+
+    private fun before(x: Double): Double {
+        var next = Double.NEGATIVE_INFINITY
+        for (clock in places) {
+            val index = clock.firstAtOrAfter(x) - 1
+            if (index >= 0) next = maxOf(next, clock.x[index])
+        }
+        return if (next.isFinite()) next else places.minOf { it.x.first() }
+    }
+}
+
+private fun ascending(positions: DoubleArray): Series {
+    val whole = Series(positions, positions)
+    var isWhole = whole.isOrdered
+    for (x in positions) if (!x.isFinite()) isWhole = false
+    if (isWhole) return whole
+    var count = 0
+    val finite = DoubleArray(positions.size)
+    for (x in positions) if (x.isFinite()) finite[count++] = x
+    val sorted = finite.copyOf(count)
+    sorted.sort()
+    return Series(sorted, sorted)
 }

@@ -1,9 +1,12 @@
 package badlog.viewer.shown.finding
 
+import badlog.core.analysis.Span
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
+import badlog.rules.incident.mainFinding
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.text.countText
 import badlog.viewer.text.word
 
 /**
@@ -59,4 +62,37 @@ class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: Li
 
     private fun isAt(step: FindingStep, current: Finding?, x: Double) =
         current != null && step.place.span.from == x && current.places.any { it.from == x }
+}
+
+/**
+ * Returns the step to the first thing to see among [findings] and [incidents], see [mainFinding]. Both begin with the worst. The result is
+ * null if nothing was found. A finding about the whole log has the place NaN.
+ */
+fun firstStep(findings: List<Finding>, incidents: List<Incident>): FindingStep? {
+    val first = mainFinding(findings, incidents) ?: return null
+    first.incident?.let(::stepTo)?.let { return it }
+    return FindingStep(first.begin.firstPlace, first.incident)
+}
+
+/** Returns the step to the start of [incident]; null if all of it is about the whole log. */
+internal fun stepTo(incident: Incident): FindingStep? = (listOf(incident.first) + incident.sentences.map { it.finding })
+    .firstOrNull { it.time.isFinite() }?.let { FindingStep(it.firstPlace, incident) }
+
+/** The place of the finding to look at first; NaN for a finding about the whole log. */
+val Finding.firstPlace: FindingPlace<Finding> get() = FindingPlace(this, severity, places.firstOrNull() ?: Span(Double.NaN, Double.NaN))
+
+/**
+ * The places of the finding in the order in which a person steps through them. That is the order of x, even if another place is the one to
+ * look at first.
+ */
+val Finding.placesInOrder: List<Span> get() = places.sortedBy { it.from }
+
+/**
+ * Returns the number of [place] among the finding's places, such as `3 of 12`. It is for a person who steps through them. If the finding
+ * occurred more often than at the known places, its count follows: `3 of 100, found 1200 times`. An unknown place counts as the first one.
+ */
+fun Finding.placeNumber(place: Span): String {
+    val steps = placesInOrder
+    val number = "${countText(maxOf(0, steps.indexOf(place)) + 1)} of ${countText(steps.size)}"
+    return if (spanCount > steps.size) "$number, found ${countText(spanCount)} times" else number
 }

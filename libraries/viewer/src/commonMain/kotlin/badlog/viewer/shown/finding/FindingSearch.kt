@@ -4,6 +4,7 @@ import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
 import badlog.viewer.shown.search.Query
+import badlog.viewer.shown.search.Trait
 import badlog.viewer.text.countText
 import badlog.viewer.text.word
 
@@ -59,5 +60,41 @@ class SearchedFindings internal constructor(private val whole: FindingSearch, va
     companion object {
         /** The text of a list of findings, in place of [counts], if the rules found nothing. */
         const val NOTHING: String = "Nothing was found."
+    }
+}
+
+/** The text that a [Query] searches, in lower case: the rule, the severity and the message. */
+internal val Finding.searchedText: String get() = "$rule ${severity.name} $text".lowercase()
+
+/** The text that a [Query] searches, in lower case: all texts of the incident, and all its findings. */
+internal val Incident.searchedText: String
+    get() = "$name ${sentences.joinToString(" ") { it.text }} $next ${(causes + effects).joinToString(" ") { it.searchedText }}".lowercase()
+
+/** Returns whether this query matches a finding or an incident with [searchedText]. */
+internal fun Query.findsFound(searchedText: String): Boolean = matchesLowercase(searchedText, FINDING)
+
+/** Returns a sentence with the number of [incidents] and [findings] that a search hides; empty if it hides none. */
+internal fun hiddenBySearch(incidents: Int, findings: Int): String = listOf("incident" to incidents, "finding" to findings)
+    .filter { it.second > 0 }
+    .joinToString(" and ") { (name, number) -> countText(number, name) }
+    .let { if (it.isEmpty()) "" else "$it hidden by the search." }
+
+private val FINDING = setOf(Trait.FINDING)
+
+/**
+ * The findings that a list shows below the incidents, without those that the incidents mention.
+ *
+ * @property outside the findings outside of all incidents, in their order.
+ * @property within the findings of an incident that does not mention them; lists fold them.
+ */
+class BesideIncidents(found: List<Finding>, incidents: List<Incident>) {
+    val outside: List<Finding>
+    val within: List<Finding>
+
+    init {
+        val mentioned = incidents.flatMapTo(HashSet()) { incident -> incident.sentences.map { it.finding } }
+        val (within, outside) = found.filter { it !in mentioned }.partition { finding -> incidents.any { finding in it } }
+        this.within = within
+        this.outside = outside
     }
 }

@@ -2,8 +2,13 @@ package badlog.viewer.shown.outline
 
 import badlog.core.analysis.Graph
 import badlog.core.analysis.GraphSeries
+import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
 import badlog.core.recording.PathName
+import badlog.core.recording.TopicKind
+import badlog.signals.vocabulary.TARGET_WORDS
+import badlog.signals.vocabulary.wordsOf
+import badlog.viewer.shown.search.Trait
 
 /**
  * Lines that belong in one graph.
@@ -107,3 +112,63 @@ private fun fit(one: TopicGroup, other: TopicGroup): Boolean {
 internal const val MAX_LINES = 16
 
 private val MEASURED = setOf("position", "angle", "height", "velocity", "speed")
+
+/**
+ * The meaning of a topic's name, and whether the topic is a target or an actual value. Two topics are target and actual of one thing if
+ * their [words] are the same and one of them [isTarget]:
+ *
+ * - A name is split into words, including the words of its folders: `Chassis/ActualFrontLeft/speed` is *chassis actual front left speed*.
+ * - One of the [TARGET_WORDS] makes it a target; that word is dropped: *chassis front left speed*. A name with two is neither.
+ * - One of the [ACTUALS] is dropped from any other name. *Current* counts only before the word it describes, as in *current angle*: at
+ *   the end of a name, it means amperes.
+ *
+ * @property words the remaining words of the name, in lower case.
+ * @property isTarget whether the name says that this is a target.
+ * @property isBare whether the last part of the name has no other meaning, as in `Arm/Goal`.
+ */
+internal class TargetName private constructor(val words: List<String>, val isTarget: Boolean, val isBare: Boolean) {
+    companion object {
+        /** Returns the meaning of [name]; null if it is not clear. */
+        fun of(name: String): TargetName? {
+            val words = wordsOf(name)
+            val targets = words.indices.filter { words[it] in TARGET_WORDS }
+            if (targets.size > 1) return null
+            val target = targets.firstOrNull()
+            if (target != null) {
+                return TargetName(words.without(target), isTarget = true, isBare = wordsOf(name.substringAfterLast('/')).size == 1)
+            }
+            val actual = words.indices.singleOrNull { words[it] in ACTUALS && (words[it] != CURRENT || it < words.lastIndex) }
+            return TargetName(if (actual == null) words else words.without(actual), isTarget = false, isBare = false)
+        }
+
+        private fun List<String>.without(index: Int) = filterIndexed { i, _ -> i != index }
+
+        private const val CURRENT = "current"
+
+        /** Words for an actual value. */
+        private val ACTUALS = setOf("actual", "actuals", "measured", "measurement", "current", "observed", "feedback", "estimated")
+    }
+}
+
+/**
+ * Returns the topic [name] of [view] with its counterpart, the target or actual value of the same thing. They are in the order in which
+ * they share a graph: actual, then target. Without a counterpart, the result is only the name.
+ */
+fun withCounterparts(view: LogView, name: String): List<String> {
+    val all = view.recording.topics.map { TopicGroup(it.name, listOf(view.seriesOf(it))) }
+    val present = all.filter { it.name == name || !it.lines[0].isEmpty }
+    val together = withTargets(present).firstOrNull { group -> group.lines.any { it.topic.name == name } }
+    return together?.lines?.map { it.topic.name } ?: listOf(name)
+}
+
+/** The traits of this line that a search can use, except whether there is a finding. Examines its samples. */
+val GraphSeries.traits: Set<Trait>
+    get() = buildSet {
+        when {
+            isEmpty -> add(Trait.EMPTY)
+            states != null -> add(Trait.STATE)
+            topic.kind == TopicKind.EVENT -> add(Trait.EVENT)
+            else -> add(Trait.NUMBER)
+        }
+        if (Trait.EMPTY !in this && topic.kind != TopicKind.EVENT && !everChanges(topic)) add(Trait.CONSTANT)
+    }

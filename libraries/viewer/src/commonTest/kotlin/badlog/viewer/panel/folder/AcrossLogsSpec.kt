@@ -72,7 +72,7 @@ class AcrossLogsSpec : FunSpec({
     }
 
     test("the chosen topics come before those that a search found, and a press chooses another or removes it") {
-        val (field, rows) = acrossTopics(state, listOf("Z", "A"), "z")
+        val (field, rows) = acrossTopics(state.copy(search = "z"), listOf("Z", "A"))
         (field as Field).text shouldBe "z"
         val topics = (rows as Rows).rows.map { it as Row }
         topics.map { it.title to it.isCurrent } shouldContainExactly listOf("A" to true, "Z" to false)
