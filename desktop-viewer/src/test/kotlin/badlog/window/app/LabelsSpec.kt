@@ -1,18 +1,25 @@
 package badlog.window.app
 
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.SemanticsMatcher
+import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.getBoundsInRoot
 import androidx.compose.ui.test.hasContentDescription
 import androidx.compose.ui.test.hasText
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.width
 import badlog.catalog.folder.samples
 import badlog.files.UserFolders
+import badlog.viewer.input.KeyAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.bagOf
 import badlog.window.log.OpenRecording
 import badlog.window.recordingOf
@@ -22,6 +29,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.comparables.shouldBeGreaterThan
 import io.kotest.matchers.comparables.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 
@@ -104,6 +112,22 @@ class LabelsSpec : FunSpec({
                 onNodeWithContentDescription(button).assertExists()
                 onNode(hasContentDescription(button) and hasText(word)).assertDoesNotExist()
             }
+        }
+    }
+
+    test("a live region has the cursor's place and values after a key, not after a move of the pointer") {
+        val region = SemanticsMatcher.expectValue(SemanticsProperties.LiveRegion, LiveRegionMode.Polite)
+        inWindow(1366, recordingOf(bagOf(listOf("Time|xaxis", "Voltage"), List(11) { "$it,${12 - it}" }))) { viewer ->
+            runOnIdle {
+                viewer.view.send(PlaceAction.MoveCursor(4.0))
+                viewer.view.press(KeyAction.NEXT_SAMPLE)
+            }
+            onNode(region).assertTextEquals("5.000 V, Voltage 7 V")
+            // A screen reader ignores elements without a size.
+            onNode(region).fetchSemanticsNode().size.width shouldBeGreaterThan 0
+            onNodeWithContentDescription("Plot Voltage").performMouseInput { moveTo(centerLeft) }
+            waitForIdle()
+            onNode(region).assertTextEquals("5.000 V, Voltage 7 V")
         }
     }
 })

@@ -3,11 +3,8 @@ package badlog.window.charts
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithContentDescription
-import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.catalog.folder.put
 import badlog.catalog.folder.putSamples
 import badlog.files.UserFolders
 import badlog.window.app.Viewer
@@ -19,7 +16,6 @@ import badlog.window.waiting.waitForNotice
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -28,7 +24,6 @@ import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.launch
 import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.attribute.FileTime
 import javax.imageio.ImageIO
 
 /** The charts of a folder’s logs, as a person sees them. */
@@ -60,40 +55,14 @@ class ChartsPaneSpec : FunSpec({
 
     fun names(viewer: Viewer) = viewer.charts.state.charts?.all.orEmpty().map { it.name }
 
-    test("a key shows charts of the listed logs and the data that others lack; shown again, they are not redrawn") {
+    test("a key shows charts of the listed logs and the data that others lack, which can be saved; shown again, they are not redrawn") {
+        val target = tempdir().toPath()
         onFolder(sampleFolder()) { viewer ->
             showCharts(viewer)
             waitFor { names(viewer).isNotEmpty() }
             names(viewer).take(2) shouldContainExactly listOf("battery", "loop-times")
             onNodeWithContentDescription("Battery at its lowest. How is the battery doing", substring = true).assertExists()
             viewer.charts.state.charts!!.lacking.first() shouldStartWith "“Packet loss” needs"
-            showCharts(viewer)
-            viewer.panels.state.main shouldBe MainView.GRAPHS
-            val drawn = viewer.charts.state.charts
-            showCharts(viewer)
-            waitForIdle()
-            viewer.charts.state.run { (charts === drawn) to isDrawing } shouldBe (true to false)
-        }
-    }
-
-    test("the charts show the logs that match the search of the list") {
-        onFolder(sampleFolder()) { viewer ->
-            showCharts(viewer)
-            waitFor { names(viewer).isNotEmpty() }
-            onNodeWithContentDescription("Search logs").performTextInput("qual")
-            waitFor { viewer.charts.state.of.size == 2 }
-            names(viewer).shouldBeEmpty()
-            onNodeWithText("“Battery at its lowest” needs the battery’s voltage in at least 3 logs; only 2 logs show it.").assertExists()
-            onNodeWithContentDescription("Search logs").performTextInput(" nothing")
-            onNodeWithText("No log matches “qual nothing”.").assertExists()
-        }
-    }
-
-    test("a chart is saved as SVG and as PNG") {
-        val target = tempdir().toPath()
-        onFolder(sampleFolder()) { viewer ->
-            showCharts(viewer)
-            waitFor { names(viewer).isNotEmpty() }
             chosen.file = target.resolve("battery.svg")
             onNodeWithContentDescription("Save “Battery at its lowest” as SVG").performClick()
             waitForNotice(viewer, "Saved the chart to ${chosen.file}.")
@@ -102,17 +71,12 @@ class ChartsPaneSpec : FunSpec({
             onNodeWithContentDescription("Save “Battery at its lowest” as PNG").performClick()
             waitForNotice(viewer, "Saved the chart to ${chosen.file}.")
             ImageIO.read(target.resolve("battery.png").toFile()).width shouldBeGreaterThan 900
-        }
-    }
-
-    test("a folder of logs that rules cannot examine gets a sentence for each chart") {
-        val folder = tempdir().toPath()
-        // Rules wait for logs that have just been written.
-        Files.setLastModifiedTime(folder.put("a.csv", "Time,Speed\n" + (0..99).joinToString("") { i -> "$i,${i % 7}\n" }), FileTime.fromMillis(1_700_000_000_000))
-        onFolder(folder) { viewer ->
             showCharts(viewer)
-            waitFor { viewer.charts.state.charts != null }
-            viewer.charts.state.charts!!.lacking.size shouldBe 7
+            viewer.panels.state.main shouldBe MainView.GRAPHS
+            val drawn = viewer.charts.state.charts
+            showCharts(viewer)
+            waitForIdle()
+            viewer.charts.state.run { (charts === drawn) to isDrawing } shouldBe (true to false)
         }
     }
 })

@@ -1,14 +1,9 @@
 package badlog.window.choice
 
-import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.onNodeWithText
-import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
 import badlog.window.bagOf
 import badlog.window.export.recordingOf
-import badlog.window.graph.TestGraphs
 import badlog.window.graph.choosing
 import badlog.window.graph.viewerOf
 import badlog.window.graph.withFormulas
@@ -20,19 +15,12 @@ import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import java.nio.file.Files
 
-@OptIn(ExperimentalTestApi::class)
 class AxisChoiceSpec : FunSpec({
     val text = bagOf(listOf("Time", "Arm/Angle"), List(20) { "${10 + it * 0.5},$it" })
 
     test("a bag without an x axis is drawn over its time on request, and over its rows again") {
         val viewer = viewerOf(recordingOf(text))
-        runDesktopComposeUiTest(900, 600) {
-            setContent { TestGraphs(viewer) }
-            onNodeWithText("This log does not name an x axis. “Time” increases in every row.").assertExists()
-            onNodeWithText("Draw over “Time”").performClick()
-            onNodeWithText("Keep row numbers").assertDoesNotExist()
-        }
-        choosing(viewer) { }
+        choosing(viewer) { viewer.axis.choose(true) }
         viewer.view.viewport.full shouldBe Span(10.0, 19.5)
         viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("Arm/Angle"))
         choosing(viewer) { viewer.axis.choose(false) }

@@ -1,44 +1,26 @@
 package badlog.window.choice
 
-import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.onNodeWithText
-import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
 import badlog.signals.clock.ClockFit
 import badlog.window.export.partOf
 import badlog.window.findings.findingsOf
-import badlog.window.graph.TestGraphs
 import badlog.window.graph.choosing
 import badlog.window.graph.viewerOf
 import badlog.window.graph.withFormulas
 import badlog.window.log.OpenRecording
 import badlog.window.putPair
-import badlog.window.waiting.waitFor
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
-import kotlinx.coroutines.launch
 
-@OptIn(ExperimentalTestApi::class)
 class StationChoiceSpec : FunSpec({
-    test("the Driver Station's log of the match is offered, shown over the same time, used by rules, and hidden again") {
+    test("the Driver Station's log of the match is shown over the same time, used by rules, and hidden again") {
         val log = putPair(tempdir().toPath())
         val viewer = viewerOf(OpenRecording.read(log))
-        runDesktopComposeUiTest(900, 600) {
-            setContent { TestGraphs(viewer) }
-            val search = viewer.scope.launch { viewer.stations.run() }
-            val following = viewer.scope.launch { viewer.shown.run() }
-            waitFor { viewer.stations.offered != null }
-            onNodeWithText("Driver Station log found: 2026_03_07 10_04_05 Sat (± 0.02 s).").assertExists()
-            onNodeWithText("Show").performClick()
-            waitFor { viewer.stations.isShown }
-            onNodeWithText("With the Driver Station log 2026_03_07 10_04_05 Sat (± 0.02 s).").assertExists()
-            search.cancel()
-            following.cancel()
-        }
+        viewer.stations.change { StationOfLog(log, stationBeside(OpenRecording.read(log), null)) }
+        choosing(viewer) { viewer.stations.choose(true) }
         val shown = checkNotNull(viewer.current.recording)
         shown.span shouldBe Span(-3.0, 13.98)
         viewer.view.viewport.full shouldBe shown.span

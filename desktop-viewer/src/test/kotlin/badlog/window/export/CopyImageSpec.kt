@@ -1,14 +1,13 @@
 package badlog.window.export
 
 import androidx.compose.ui.graphics.ImageBitmap
-import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.defaultBoard
 import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.export.figure.copyImage
-import badlog.window.waiting.waitFor
+import badlog.window.waiting.awaitState
+import badlog.window.waiting.onWindowThread
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -21,7 +20,6 @@ import java.awt.datatransfer.Clipboard
 import java.awt.datatransfer.DataFlavor
 import java.io.IOException
 
-@OptIn(ExperimentalTestApi::class)
 class CopyImageSpec : FunSpec({
     val home = tempdir().toPath()
 
@@ -37,11 +35,11 @@ class CopyImageSpec : FunSpec({
         val clipboard = Clipboard("test")
         val recording = recordingOf(armBag(500))
         val viewer = Viewer(MainScope(), UserFolders(home, home))
-        runDesktopComposeUiTest(100, 100) {
+        onWindowThread {
             viewer.current.replace(recording)
             viewer.view.send(PlaceAction.Open(recording.span))
             viewer.figures.copy(defaultBoard(recording.view).graphs.take(1)) { clipboard }
-            waitFor { viewer.notices.all.isNotEmpty() }
+            awaitState { viewer.notices.all.isNotEmpty() }
             viewer.notices.all.single().text shouldContain "“Arm/Angle”"
             imageOn(clipboard).getWidth(null) shouldBe 1800
         }

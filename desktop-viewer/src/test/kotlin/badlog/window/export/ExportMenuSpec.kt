@@ -16,14 +16,11 @@ import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.change
-import badlog.window.compare.Comparison
 import badlog.window.files.ChosenFiles
-import badlog.window.folder.LibraryState
 import badlog.window.waiting.waitForNotice
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -31,7 +28,6 @@ import io.kotest.matchers.string.shouldStartWith
 import kotlinx.coroutines.MainScope
 import java.nio.file.Files
 import java.nio.file.Path
-import javax.imageio.ImageIO
 
 @OptIn(ExperimentalTestApi::class)
 @Tags("InCheck")
@@ -80,27 +76,6 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("the pages of checked logs are made, and failures are reported") {
-        val folder = home.resolve("pages")
-        window(folder) { viewer, _ ->
-            viewer.compared.change { Comparison(checked = listOf(log, home.resolve("gone.bag"))) }
-            choose("Export", "Export the pages of 2 checked logs…")
-            waitForNotice(viewer, "gone.bag")
-            viewer.notices.all.map { it.text } shouldContain "Saved ${folder.resolve("match.bag.html")}."
-        }
-    }
-
-    test("the pages of a whole folder are made") {
-        val logs = Files.createDirectories(home.resolve("logs"))
-        for (name in listOf("a.bag", "b.bag")) Files.writeString(logs.resolve(name), armBag(10))
-        val folder = home.resolve("all pages")
-        window(folder) { viewer, _ ->
-            viewer.library.change { LibraryState(logs) }
-            choose("Export", "Export the pages of all logs…")
-            waitForNotice(viewer, "Saved 2 pages in $folder")
-        }
-    }
-
     test("a figure is saved with its options and the values at the pinned cursor, and its file is reported") {
         val file = home.resolve("figure.svg")
         window(file) { viewer, files ->
@@ -122,15 +97,6 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("the name of a picture gets its ending, and the picture has two pixels per point") {
-        window(home.resolve("picture")) { viewer, _ ->
-            choose("Export", "Figure for a report…")
-            onNodeWithContentDescription("Save the figure").performClick()
-            waitForNotice(viewer, "Saved ${home.resolve("picture.png")}")
-            ImageIO.read(home.resolve("picture.png").toFile()).width shouldBe 1800
-        }
-    }
-
     test("the selection is saved instead of the visible range, also for the topics of the graphs only, with their units") {
         val file = home.resolve("part.csv")
         window(file) { viewer, files ->
@@ -144,20 +110,6 @@ class ExportMenuSpec : FunSpec({
             choose("Export", "The graphs as CSV…")
             waitForNotice(viewer, "Wrote 6 rows to $table")
             Files.readAllLines(table).first() shouldBe "Time (s),Arm/Current (A),Arm/Mode"
-        }
-    }
-
-    test("canceling saves and reports nothing; an existing file is replaced only if its full name was entered") {
-        val there = Files.writeString(home.resolve("there.csv"), "mine")
-        window(null) { viewer, files ->
-            choose("Export", "The visible range as a bag…")
-            files.questions.size shouldBe 1
-            viewer.tasks.all.shouldBeEmpty()
-            viewer.notices.all.shouldBeEmpty()
-            files.file = home.resolve("there")
-            choose("Export", "The visible range as CSV…")
-            waitForNotice(viewer, "there.csv exists already")
-            Files.readString(there) shouldBe "mine"
         }
     }
 })

@@ -3,14 +3,12 @@ package badlog.window.folder
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.assertCountEquals
 import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.click
 import androidx.compose.ui.test.doubleClick
 import androidx.compose.ui.test.hasText
 import androidx.compose.ui.test.onAllNodesWithContentDescription
-import androidx.compose.ui.test.onAllNodesWithText
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
@@ -112,18 +110,6 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("clicks on the heads of the table sort it, in either direction") {
-        onFolder(sampleFolder(), MainView.LOGS) { viewer ->
-            onNodeWithContentDescription("Sort by Match").performClick()
-            shown(viewer).take(2) shouldContainExactly listOf("Qualification 42", "Qualification 57")
-            onNodeWithContentDescription("Sort by Match").performClick()
-            shown(viewer).take(2) shouldContainExactly listOf("Qualification 57", "Qualification 42")
-            onNodeWithContentDescription("Sort by Lowest battery").performClick()
-            shown(viewer).first() shouldBe "Qualification 42"
-            shown(viewer).last() shouldBe "elevator-bench.csv"
-        }
-    }
-
     test("keys move through the table, Enter and a double click open the log in the graphs, and a click selects a row") {
         onFolder(sampleFolder(), MainView.LOGS) { viewer ->
             val table = onNodeWithContentDescription("Table of logs")
@@ -145,19 +131,6 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("idle logs are marked as idle, and can be hidden") {
-        val folder = sampleFolder()
-        folder.put("reboot.bag", bag(0))
-        folder.put("idle.bag", bag(voltage = { 12.0 }))
-        onFolder(folder) { viewer ->
-            onNodeWithText("no samples", substring = true).assertExists()
-            onNodeWithText("idle log", substring = true).assertExists()
-            onNodeWithContentDescription("Hide idle logs").performClick()
-            shown(viewer).size shouldBe 4
-            onAllNodesWithText("idle log", substring = true).assertCountEquals(0)
-        }
-    }
-
     test("an unreadable log is reported and not opened") {
         val folder = tempdir().toPath()
         folder.put("diary.bag", "Dear diary\ntoday I was happy\n")
@@ -166,10 +139,6 @@ class LibraryScreenSpec : FunSpec({
             viewer.current.recording shouldBe null
             viewer.notices.all.single().isError shouldBe true
         }
-    }
-
-    test("an empty folder says that there are no logs yet") {
-        onFolder(tempdir().toPath()) { onNodeWithText("No logs here yet", substring = true).assertExists() }
     }
 
     test("the preview can show any topic of any log") {

@@ -5,15 +5,12 @@ import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertCountEquals
 import androidx.compose.ui.test.onAllNodesWithContentDescription
-import androidx.compose.ui.test.onAllNodesWithText
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.catalog.folder.LogEntry
 import badlog.catalog.folder.bag
-import badlog.catalog.folder.matchValues
-import badlog.catalog.folder.put
 import badlog.catalog.folder.putSamples
 import badlog.files.LogFile
 import badlog.files.UserFolders
@@ -22,11 +19,9 @@ import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.LogDate
 import badlog.viewer.catalog.LogSummary
-import badlog.viewer.shown.folder.verdictText
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.sidebar.InspectorTab
-import badlog.window.sidebar.MainView
 import badlog.window.waiting.waitFor
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
@@ -116,44 +111,6 @@ class NewLogsSpec : FunSpec({
             know(entry("a.bag", 1))
             rings shouldBe 1
             logs.state.latest shouldBe null
-        }
-    }
-
-    test("a postponed log, and one that a person opens in the list, is no longer announced") {
-        onFolder { viewer, arrives ->
-            arrives()
-            awaitBar(viewer)
-            onNodeWithText("Later").performClick()
-            viewer.newLogs.state.latest shouldBe null
-            val other = tempdir().toPath().put("other.bag", bag(values = matchValues(36)))
-            Files.setLastModifiedTime(other, FileTime.from(Instant.now().minusSeconds(3600)))
-            Files.move(other, checkNotNull(viewer.library.state.folder) / "other.bag")
-            waitFor { viewer.newLogs.state.latest != null }
-            onNodeWithContentDescription("Log other.bag").performClick()
-            waitFor { viewer.newLogs.state.latest == null }
-        }
-    }
-
-    test("the list has the worst finding of each log, and the pit view shows it in large letters") {
-        onFolder { viewer, arrives ->
-            arrives()
-            awaitBar(viewer)
-            onNodeWithContentDescription("error: Browned out", substring = true).assertExists()
-            waitFor { viewer.library.state.entries.all { it.found != null || it.isGray || !it.isReadable } }
-            viewer.panels.change { toggled(MainView.PIT) }
-            waitForIdle()
-            onNodeWithContentDescription("Pit view").assertExists()
-            // The pit view shows it by itself, so that the bar is not needed.
-            onAllNodesWithContentDescription("New log").assertCountEquals(0)
-            onAllNodesWithText("Browned out at 1:33").assertCountEquals(1)
-            val last = viewer.library.state.entries.single { it.fileName == "qualification-57.bag.gz" }
-            onNodeWithText(verdictText(last.found)).assertExists()
-            onNodeWithText("Next: ", substring = true).assertExists()
-            // A person who looks at the pit view has seen the new logs.
-            viewer.newLogs.state.latest shouldBe null
-            onNodeWithText("Browned out at 1:33").performClick()
-            waitFor { viewer.current.recording?.file?.fileName == Path.of("qualification-42.bag") }
-            viewer.panels.state.main shouldBe MainView.GRAPHS
         }
     }
 })

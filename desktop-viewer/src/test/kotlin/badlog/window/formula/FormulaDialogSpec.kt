@@ -5,7 +5,6 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onAllNodesWithContentDescription
-import androidx.compose.ui.test.onAllNodesWithText
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
@@ -21,9 +20,7 @@ import badlog.window.compare.Comparison
 import badlog.window.graph.savePicture
 import badlog.window.graph.viewerOf
 import badlog.window.graph.waitForPictures
-import badlog.window.graph.withFormulas
 import badlog.window.recordingOf
-import badlog.window.theme.Theme
 import badlog.window.waiting.waitFor
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
@@ -104,49 +101,6 @@ class FormulaDialogSpec : FunSpec({
             waitFor { viewer.current.recording?.signal("Half") == null }
             viewer.formulas.definitions shouldBe emptyList()
             viewer.board.state.graphs.size shouldBe graphs - 1
-        }
-    }
-
-    test("a formula that others need keeps its name and is not removed; both refusals name the others") {
-        val definitions = listOf("Power = System/Battery Voltage * 2", "Half = Power / 2")
-        val viewer = viewerOf(bag(12).withFormulas(definitions))
-        viewer.formulas.replaceAll(definitions)
-        over(viewer) {
-            viewer.formulas.edit(definitions[0])
-            waitForIdle()
-            onNodeWithContentDescription(field).performTextReplacement("Double = System/Battery Voltage * 2")
-            onNodeWithText("“Half = Power / 2” needs this name; change that first.").assertExists()
-            onNodeWithContentDescription("Save the formula (Enter)").performClick()
-            onNodeWithContentDescription("Remove this formula").performClick()
-            viewer.formulas.definitions shouldBe definitions
-            viewer.notices.all.single().text shouldBe "“Half = Power / 2” needs it; remove that first."
-        }
-    }
-
-    test("a formula that makes no topic in the log has the reason in its line; a click changes it") {
-        val viewer = viewerOf(bag(12).withFormulas(listOf("A = Arm/Angle * 2")))
-        viewer.formulas.replaceAll(listOf("A = Arm/Angle * 2"))
-        viewer.settings.change { copy(theme = Theme.DARK) }
-        over(viewer) {
-            onNodeWithText("“Arm/Angle” is not a topic", substring = true).assertExists()
-            viewer.notices.all shouldBe emptyList()
-            onNodeWithContentDescription("Formula without a topic: A = Arm/Angle * 2").performClick()
-            onNodeWithText("Change the formula").assertExists()
-            savePicture("formula-unmade-dark")
-            onNodeWithContentDescription(field).performKeyInput { pressKey(Key.Escape) }
-            runOnIdle { viewer.formulas.sheet shouldBe null }
-        }
-    }
-
-    test("the formula sheet fits a narrow window") {
-        val viewer = viewerOf(bag(12))
-        over(viewer, width = 420) {
-            viewer.formulas.write(listOf("PDP/Total Current"))
-            waitForIdle()
-            onAllNodesWithText(" = PDP/Total Current").fetchSemanticsNodes().size shouldBe 1
-            onNodeWithContentDescription(field).performTextInput("Current/Doubled [A]")
-            onNodeWithText("Makes the topic “Current/Doubled”.").assertExists()
-            savePicture("formula-narrow")
         }
     }
 })

@@ -1,61 +1,37 @@
 package badlog.window.graph
 
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.graphics.toPixelMap
+import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.captureToImage
-import androidx.compose.ui.test.hasContentDescription
+import androidx.compose.ui.test.onAllNodesWithContentDescription
+import androidx.compose.ui.test.onAllNodesWithText
+import androidx.compose.ui.test.onLast
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.defaultBoard
 import badlog.viewer.state.PlaceAction
+import badlog.window.app.Viewer
 import badlog.window.app.actionCommands
-import badlog.window.theme.Palette
-import badlog.window.theme.Theme
-import badlog.window.theme.ViewerTheme
+import badlog.window.graph.plot.drawnLines
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
-import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
-import kotlin.math.abs
+import badlog.window.bagOf as bagOfTopics
 
 @OptIn(ExperimentalTestApi::class)
 class GraphPaneSpec : FunSpec({
-    test("a single sample among a hundred thousand is visible") {
-        val viewer = viewerOf(recordingOf(bagOf(100_000) { if (it == 50_000) 100.0 else 1.0 }))
-        runDesktopComposeUiTest(900, 600) {
-            setContent { TestGraphs(viewer) }
-            waitForPictures(viewer)
-            val plot = onNodeWithContentDescription("Plot A/Voltage").captureToImage().toPixelMap()
-            val line = Palette.LIGHT.line(0)
-            val middle = plot.height / 2
-            val seen = (0 until plot.width).filter { x ->
-                val color = plot[x, middle]
-                abs(color.red - line.red) + abs(color.green - line.green) + abs(color.blue - line.blue) < 0.9f
-            }
-            seen.isNotEmpty() shouldBe true
-            seen.all { abs(it - plot.width / 2) <= 2 } shouldBe true
-        }
-    }
-
     test("without a recording, the pane says how to open one") {
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewerOf(null)) }
             onNodeWithText("Select a log at the left, or drop a file here.").assertExists()
-        }
-    }
-
-    test("while a log is being read, the pane shows that, not that no log is open") {
-        runDesktopComposeUiTest(900, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { GraphPane(viewerOf(null).graphs, isOpening = true) } }
-            onNodeWithText("Opening the log…").assertExists()
-            onNodeWithText("No log is open").assertDoesNotExist()
         }
     }
 
@@ -71,14 +47,6 @@ class GraphPaneSpec : FunSpec({
             waitForIdle()
             (12 in viewer.board.inSight.orEmpty()) shouldBe true
             viewer.board.wanted shouldBe null
-        }
-    }
-
-    test("a recording without samples has a sentence about that") {
-        val viewer = viewerOf(recordingOf(bagOf(0) { 0.0 }))
-        runDesktopComposeUiTest(900, 600) {
-            setContent { TestGraphs(viewer) }
-            onNodeWithText("There is nothing to draw in this log").assertExists()
         }
     }
 
@@ -101,20 +69,6 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("a name of 500 letters, a single row, and a graph of a formula not calculated yet do not fail") {
-        val name = "Folder ".repeat(40) + "/" + "n".repeat(300)
-        val text = """{"topics":[{"name":"$name","unit":"${"u".repeat(300)}","attrs":[]}],"values":[]}""" + "\n$name\n1\n"
-        val viewer = viewerOf(recordingOf(text))
-        viewer.formulas.add("Not there = 1", "Not there")
-        viewer.view.send(PlaceAction.MoveCursor(0.0))
-        viewer.view.send(PlaceAction.Select(Span(-0.2, 0.2)))
-        runDesktopComposeUiTest(360, 500) {
-            setContent { TestGraphs(viewer) }
-            waitForPictures(viewer)
-            onNodeWithText("not in this log").assertExists()
-        }
-    }
-
     test("a thousand topics of states are drawn as graphs of some lanes each") {
         val names = (0 until 1000).joinToString(",") { """{"name":"S$it","unit":"ul","attrs":[]}""" }
         val row = (0 until 1000).joinToString(",") { "A" }
@@ -124,15 +78,6 @@ class GraphPaneSpec : FunSpec({
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
             waitForPictures(viewer)
-        }
-    }
-
-    test("zooming to the enabled time is offered if a topic shows it") {
-        val viewer = viewerOf(sample("qualification-42.bag"))
-        runDesktopComposeUiTest(900, 600) {
-            setContent { TestGraphs(viewer) }
-            onNode(hasContentDescription("Zoom to the time the robot was enabled (E)")).performClick()
-            viewer.view.viewport.visible.from shouldBe (2.018268 plusOrMinus 1e-9)
         }
     }
 
@@ -163,5 +108,67 @@ class GraphPaneSpec : FunSpec({
         commands.first { it.meaning == "Cursor ten samples back" }.action()
         viewer.view.cursor shouldBe 4.2
         commands.map { it.group } shouldContain "Graphs"
+    }
+
+    test("of eight lines with long names, those without room are counted, and listed with their values") {
+        val names = List(8) { "Drivetrain/Module $it/Azimuth encoder position of the absolute sensor" }
+        val viewer = viewerOf(recordingOf(bagOfTopics(listOf("Time|xaxis") + names, List(2) { row -> (listOf(row) + names.indices).joinToString(",") }))).apply {
+            board.replace(Board(listOf(BoardGraph(1, "Azimuths", names))))
+            view.send(PlaceAction.MoveCursor(1.0))
+        }
+        runDesktopComposeUiTest(700, 600) {
+            setContent { TestGraphs(viewer) }
+            waitForPictures(viewer)
+            val titles = drawnLines(viewer.board.state.graphs.single(), viewer.compared.drawn).map { it.title }
+            onNodeWithContentDescription(" more lines of Azimuths", substring = true).performClick()
+            for (title in titles) {
+                val places = onAllNodesWithText(title, useUnmergedTree = true).fetchSemanticsNodes().filter { it.layoutInfo.isPlaced }
+                places.size shouldBeGreaterThan 0
+            }
+            savePicture("legend-more")
+            onAllNodesWithContentDescription("Hide ${titles.last()}").onLast().performClick()
+            viewer.board.state.graphs.single().hidden shouldBe setOf(names.last())
+        }
+    }
+
+    /** Drags graph [dragged] by its title to the [share] of the height of graph [onto]. */
+    fun DesktopComposeUiTest.take(dragged: String, onto: String, share: Float) {
+        val from = onNodeWithContentDescription("Graph $dragged").fetchSemanticsNode().boundsInRoot
+        val to = onNodeWithContentDescription("Graph $onto").fetchSemanticsNode().boundsInRoot
+        onRoot().performMouseInput {
+            moveTo(from.topLeft + Offset(14f, 10f))
+            press()
+            moveTo(from.topLeft + Offset(30f, 14f))
+            moveTo(Offset(60f, to.top + to.height * share))
+        }
+    }
+
+    fun DesktopComposeUiTest.letGo() {
+        onRoot().performMouseInput { release() }
+        waitForIdle()
+    }
+
+    fun lines(viewer: Viewer) = viewer.board.state.graphs.map { it.lines.joinToString("+") }
+
+    test("a graph dragged by its title is moved above, below or into another one, and undo moves it back") {
+        val viewer = viewerOf(recordingOf(bagOfTopics(listOf("Time|xaxis", "A", "B", "C"), List(20) { "$it,$it,${it * 2},${it * 3}" })))
+        viewer.board.replace(Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C")))
+        runDesktopComposeUiTest(900, 600) {
+            setContent { TestGraphs(viewer) }
+            waitForPictures(viewer)
+            take("C", "A", 0.1f)
+            savePicture("graph-dragged-above")
+            letGo()
+            lines(viewer) shouldContainExactly listOf("C", "A", "B")
+            take("C", "B", 0.9f)
+            letGo()
+            lines(viewer) shouldContainExactly listOf("A", "B", "C")
+            take("B", "A", 0.5f)
+            savePicture("graph-dragged-into")
+            letGo()
+            lines(viewer) shouldContainExactly listOf("A+B", "C")
+            viewer.board.undo()
+            lines(viewer) shouldContainExactly listOf("A", "B", "C")
+        }
     }
 })

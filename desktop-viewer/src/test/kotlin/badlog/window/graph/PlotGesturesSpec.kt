@@ -13,9 +13,6 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performMultiModalInput
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.core.analysis.Span
-import badlog.viewer.input.KeyAction
-import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.log.OpenRecording
 import io.kotest.core.spec.style.FunSpec
@@ -62,19 +59,6 @@ class PlotGesturesSpec : FunSpec({
             val visible = viewer.view.viewport.visible
             visible.width shouldBeLessThan 65.0
             (25.0 - visible.from) / visible.width shouldBe (0.25 plusOrMinus 0.002)
-        }
-    }
-
-    test("the wheel sideways, and Shift with the wheel, pan") {
-        graph { viewer ->
-            viewer.view.send(PlaceAction.Show(40.0, 60.0))
-            waitForIdle()
-            plot().performMouseInput {
-                moveTo(center)
-                scroll(1f, ScrollWheel.Horizontal)
-            }
-            viewer.view.viewport.visible.from shouldBe (41.0 plusOrMinus 0.2)
-            viewer.view.viewport.visible.width shouldBe (20.0 plusOrMinus 1e-6)
         }
     }
 
@@ -133,62 +117,6 @@ class PlotGesturesSpec : FunSpec({
             onNodeWithContentDescription("Zoom to the selection (Z)").performClick()
             viewer.view.viewport.visible shouldBe selection
             onNodeWithContentDescription("Clear the selection (Escape)").performClick()
-            viewer.view.selection.shouldBeNull()
-        }
-    }
-
-    test("the middle button, Shift, and the axis pan the graphs") {
-        graph { viewer ->
-            viewer.view.send(PlaceAction.Show(40.0, 60.0))
-            waitForIdle()
-            plot().performMouseInput {
-                moveTo(Offset(width * 0.5f, centerY))
-                press(MouseButton.Tertiary)
-                moveTo(Offset(width * 0.25f, centerY))
-                release(MouseButton.Tertiary)
-            }
-            viewer.view.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
-            plot().performMultiModalInput {
-                key { keyDown(Key.ShiftLeft) }
-                mouse {
-                    moveTo(Offset(width * 0.5f, centerY))
-                    press()
-                    moveTo(Offset(width * 0.25f, centerY))
-                    release()
-                    moveTo(Offset(width * 0.25f, centerY))
-                    press()
-                    moveTo(Offset(width * 0.5f, centerY))
-                    release()
-                }
-                key { keyUp(Key.ShiftLeft) }
-            }
-            viewer.view.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
-            onNodeWithContentDescription("Axis").performMouseInput {
-                moveTo(Offset(width * 0.25f, centerY))
-                press()
-                moveTo(Offset(width * 0.5f, centerY))
-                release()
-            }
-            viewer.view.viewport.visible.from shouldBe (40.0 plusOrMinus 0.1)
-            viewer.view.press(KeyAction.PREVIOUS_VIEW)
-            viewer.view.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
-        }
-    }
-
-    test("Escape cancels a drag, and then the selection") {
-        graph { viewer ->
-            viewer.view.send(PlaceAction.Select(Span(1.0, 2.0)))
-            plot().performMouseInput {
-                moveTo(Offset(width * 0.5f, centerY))
-                press()
-                moveTo(Offset(width * 0.75f, centerY))
-            }
-            viewer.view.gesture.shouldNotBeNull()
-            viewer.view.cancel() shouldBe true
-            plot().performMouseInput { release() }
-            viewer.view.viewport.isZoomed shouldBe false
-            viewer.view.selection shouldBe Span(1.0, 2.0)
-            viewer.view.cancel()
             viewer.view.selection.shouldBeNull()
         }
     }

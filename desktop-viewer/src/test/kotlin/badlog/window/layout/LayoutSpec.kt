@@ -15,14 +15,11 @@ import badlog.window.graph.choosing
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
 import badlog.window.sidebar.Panels
-import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
-import io.kotest.matchers.string.shouldContain
 import kotlinx.coroutines.MainScope
-import java.io.IOException
 import java.nio.file.Files
 
 class LayoutSpec : FunSpec({
@@ -82,27 +79,6 @@ class LayoutSpec : FunSpec({
         pathOf(pathText(outside, folder), folder) shouldBe outside
     }
 
-    test("lines without a signal in the recording, and graphs without lines, are left out and reported") {
-        val viewer = viewerOver()
-        val graphs = listOf(
-            BoardGraph(1, "Both", listOf("Arm/Angle", "Wrist/Angle")),
-            BoardGraph(2, "Gone", listOf("Wrist/Angle", "Claw")),
-            BoardGraph(3, "Without lines", emptyList()),
-        )
-        viewer.layouts.apply(Layout(Layout.VERSION, Board(graphs)))
-        viewer.board.state.graphs.map { graph -> graph.title to graph.lines } shouldBe listOf("Both" to listOf("Arm/Angle"))
-        val said = viewer.notices.all.single()
-        said.isError shouldBe false
-        said.text shouldContain "“Wrist/Angle”, “Claw”"
-    }
-
-    test("the default graphs are stored as defaults, and follow the attributes when restored") {
-        viewerOver().layouts.layout.graphs shouldBe null
-        val viewer = viewerOver(Board(listOf(chosen)))
-        viewer.layouts.showStartBoard()
-        viewer.board.state shouldBe defaultBoard(arm.view)
-    }
-
     test("invalid ranges, and ranges outside the recording, show all of it") {
         val viewer = viewerOver()
         viewer.layouts.apply(Layout(Layout.VERSION, visible = LayoutSpan(900.0, 901.0), selection = LayoutSpan(2.0, 1.0)))
@@ -119,23 +95,6 @@ class LayoutSpec : FunSpec({
         viewer.layouts.apply(readLayout(file))
         viewer.board.state.graphs.single().title shouldBe "A"
         viewer.panels.state.main shouldBe MainView.GRAPHS
-    }
-
-    test("a damaged, a foreign, a newer and a missing file are each reported in a sentence that names the file") {
-        val contents = mapOf(
-            "cut.json" to """{"badlog-layout":1,"graphs":[{"ti""",
-            "foreign.json" to """{"name":"package","version":"1.0.0"}""",
-            "empty.json" to "",
-            "wrong.json" to """{"badlog-layout":1,"graphs":"all"}""",
-            "newer.json" to """{"badlog-layout":2}""",
-        )
-        for ((name, content) in contents) {
-            Files.writeString(home.resolve(name), content)
-            shouldThrow<IOException> { readLayout(home.resolve(name)) }.message shouldContain name
-        }
-        Files.write(home.resolve("binary.json"), byteArrayOf(-1, -2, 0, 7))
-        shouldThrow<IOException> { readLayout(home.resolve("binary.json")) }.message shouldContain "binary.json"
-        shouldThrow<IOException> { readLayout(home.resolve("missing.json")) }.message shouldContain "does not exist"
     }
 })
 

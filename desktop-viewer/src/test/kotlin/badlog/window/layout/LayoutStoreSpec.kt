@@ -1,10 +1,5 @@
 package badlog.window.layout
 
-import androidx.compose.runtime.LaunchedEffect
-import androidx.compose.ui.test.ComposeUiTest
-import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.core.analysis.Span
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
@@ -14,45 +9,48 @@ import badlog.window.app.Viewer
 import badlog.window.export.armBag
 import badlog.window.export.recordingOf
 import badlog.window.folder.LibraryState
-import badlog.window.graph.withFormulas
 import badlog.window.kept
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
 import badlog.window.sidebar.Panels
-import badlog.window.waiting.waitFor
+import badlog.window.waiting.awaitShown
+import badlog.window.waiting.awaitState
+import badlog.window.waiting.onWindowThread
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
+import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.MainScope
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
 import java.nio.file.Files
 import java.nio.file.Path
 
-@OptIn(ExperimentalTestApi::class)
 class LayoutStoreSpec : FunSpec({
     /** Starts the program again over [folder], and runs [then] once [recording] is opened. */
-    fun started(home: Path, folder: Path, recording: OpenRecording, then: ComposeUiTest.(Viewer) -> Unit) {
+    fun started(home: Path, folder: Path, recording: OpenRecording, then: suspend (Viewer) -> Unit) {
         val viewer = Viewer(MainScope(), UserFolders(home, home))
-        runDesktopComposeUiTest(100, 100) {
-            setContent {
-                LaunchedEffect(Unit) { viewer.layouts.autosave() }
-                LaunchedEffect(Unit) { viewer.shown.run() }
-            }
+        onWindowThread {
+            val following = listOf(launch { viewer.layouts.autosave() }, launch { viewer.shown.run() })
             viewer.library.change { LibraryState(folder) }
-            waitFor { viewer.layouts.folder == folder }
+            awaitState { viewer.layouts.folder == folder }
             viewer.view.send(PlaceAction.Open(recording.span))
             viewer.current.replace(recording)
             viewer.layouts.showGraphs(recording)
-            waitFor { viewer.board.state.graphs.isNotEmpty() }
-            waitForIdle()
+            awaitState { viewer.board.state.graphs.isNotEmpty() }
+            awaitShown(viewer)
             then(viewer)
-            waitFor { !viewer.shown.isWaiting }
+            awaitState { !viewer.shown.isWaiting }
             viewer.layouts.saveNow()
+            following.forEach { it.cancel() }
         }
     }
 
-    fun Viewer.opened(log: Path, folder: Path) = OpenRecording.read(log, folder, choices = { RecordingChoices(layouts.formulasFor(log, it)) })
+    suspend fun Viewer.opened(log: Path, folder: Path) = withContext(Dispatchers.IO) {
+        OpenRecording.read(log, folder, choices = { RecordingChoices(layouts.formulasFor(log, it)) })
+    }
 
     fun hasArranged(home: Path, folder: Path) = FolderLayouts(home.resolve("layouts")).read(folder)
 
@@ -92,13 +90,6 @@ class LayoutStoreSpec : FunSpec({
         hasArranged(home, home)?.formulas shouldBe listOf("Twice = 2 * Arm/Current")
     }
 
-    test("the last open recording is shown at its last place") {
-        val home = tempdir().toPath()
-        val one = recordingOf(armBag(500), home.resolve("one.bag"))
-        started(home, home, one) { it.view.send(PlaceAction.Show(2.0, 3.0)) }
-        started(home, home, one) { it.view.viewport.visible shouldBe Span(2.0, 3.0) }
-    }
-
     test("a recording that lacks signals does not make the others lose their graphs") {
         val home = tempdir().toPath()
         val whole = recordingOf(armBag(500), home.resolve("one.bag"))
@@ -112,25 +103,6 @@ class LayoutStoreSpec : FunSpec({
         started(home, home, whole) { it.board.state.graphs.single().lines shouldHaveSize 2 }
     }
 
-    test("formulas belong to the folder, and formulas of a layout are added to them") {
-        val home = tempdir().toPath()
-        val folder = Files.createDirectories(home.resolve("logs"))
-        val one = recordingOf(armBag(500), folder.resolve("one.bag"))
-        val formula = "Arm/Twice = 2 * Arm/Angle"
-        started(home, folder, one) {
-            it.formulas.replaceAll(listOf(formula))
-            it.board.replace(Board().withGraph(listOf("Arm/Twice")))
-        }
-        started(home, folder, one.withFormulas(listOf(formula))) { viewer ->
-            viewer.formulas.definitions shouldBe listOf(formula)
-            viewer.board.state.graphs.single().lines.single() shouldBe "Arm/Twice"
-            viewer.layouts.apply(Layout(Layout.VERSION, formulas = listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")))
-            viewer.formulas.definitions shouldBe listOf("B = 1", "Arm/Twice = 3 * Arm/Angle")
-            waitFor { viewer.current.recording?.signal("B")?.definition == "B = 1" }
-        }
-        started(home, home.resolve("elsewhere"), one) { it.formulas.definitions shouldBe emptyList() }
-    }
-
     test("a graph of a formula is shown even if the log was read before the formulas of its folder were known") {
         val home = tempdir().toPath()
         val folder = Files.createDirectories(home.resolve("logs"))
@@ -140,17 +112,15 @@ class LayoutStoreSpec : FunSpec({
             it.board.replace(Board().withGraph(listOf("Arm/Twice")))
         }
         val viewer = Viewer(MainScope(), UserFolders(home, home))
-        runDesktopComposeUiTest(100, 100) {
-            setContent {
-                LaunchedEffect(Unit) { viewer.layouts.autosave() }
-                LaunchedEffect(Unit) { viewer.shown.run() }
-            }
+        onWindowThread {
+            val following = listOf(launch { viewer.layouts.autosave() }, launch { viewer.shown.run() })
             viewer.library.change { LibraryState(folder) }
-            waitFor { viewer.layouts.folder == folder }
-            viewer.show(OpenRecording.read(log, folder))
-            waitFor { viewer.board.state.graphs.singleOrNull()?.lines == listOf("Arm/Twice") && !viewer.shown.isWaiting }
+            awaitState { viewer.layouts.folder == folder }
+            viewer.show(withContext(Dispatchers.IO) { OpenRecording.read(log, folder) })
+            awaitState { viewer.board.state.graphs.singleOrNull()?.lines == listOf("Arm/Twice") && !viewer.shown.isWaiting }
             viewer.current.recording?.signal("Arm/Twice").shouldNotBeNull()
             viewer.notices.all shouldHaveSize 0
+            following.forEach { it.cancel() }
         }
     }
 
@@ -158,12 +128,12 @@ class LayoutStoreSpec : FunSpec({
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
         started(home, home, one) { viewer ->
-            FolderLayouts(home.resolve("layouts")).update(home) { Layout(Layout.VERSION, formulas = listOf("B = 2")) }
+            withContext(Dispatchers.IO) { FolderLayouts(home.resolve("layouts")).update(home) { Layout(Layout.VERSION, formulas = listOf("B = 2")) } }
             viewer.formulas.replaceAll(listOf("A = 1"))
         }
         hasArranged(home, home)?.formulas shouldBe listOf("A = 1", "B = 2")
         started(home, home, one) { viewer ->
-            FolderLayouts(home.resolve("layouts")).update(home) { Layout(Layout.VERSION, formulas = listOf("A = 3")) }
+            withContext(Dispatchers.IO) { FolderLayouts(home.resolve("layouts")).update(home) { Layout(Layout.VERSION, formulas = listOf("A = 3")) } }
             viewer.board.replace(Board().withGraph(listOf("Arm/Angle")))
         }
         hasArranged(home, home)?.formulas shouldBe listOf("A = 3")
@@ -174,7 +144,7 @@ class LayoutStoreSpec : FunSpec({
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
         val theirs = Board().withGraph(listOf("Arm/Current"))
         started(home, home, one) { viewer ->
-            FolderLayouts(home.resolve("layouts")).update(home) { Layout(Layout.VERSION, theirs) }
+            withContext(Dispatchers.IO) { FolderLayouts(home.resolve("layouts")).update(home) { Layout(Layout.VERSION, theirs) } }
             viewer.panels.change { Panels(topics = false) }
         }
         hasArranged(home, home)?.graphs shouldBe theirs
@@ -188,10 +158,10 @@ class LayoutStoreSpec : FunSpec({
         val layout = BoardLayout(Board().withGraph(listOf("Twice")), formulas = listOf("Twice = 2 * Arm/Angle", "Spare = 1"))
         Files.writeString(folder.resolve("practice.badlog-layout.json"), layout.toJson())
         val viewer = Viewer(MainScope(), UserFolders(home, home))
-        runDesktopComposeUiTest(100, 100) {
-            setContent { LaunchedEffect(Unit) { viewer.layouts.autosave() } }
+        onWindowThread {
+            val saving = launch { viewer.layouts.autosave() }
             viewer.library.change { LibraryState(folder) }
-            waitFor { viewer.layouts.folder == folder }
+            awaitState { viewer.layouts.folder == folder }
             viewer.show(viewer.opened(log, folder))
             viewer.formulas.definitions shouldBe layout.formulas
             viewer.board.state.graphs.single().lines shouldBe listOf("Twice")
@@ -201,15 +171,17 @@ class LayoutStoreSpec : FunSpec({
             viewer.board.replace(Board().withGraph(listOf("Arm/Angle")))
             viewer.layouts.saveNow()
             viewer.formulas.replaceAll(emptyList())
+            saving.cancel()
         }
         val later = Viewer(MainScope(), UserFolders(home, home))
-        runDesktopComposeUiTest(100, 100) {
-            setContent { LaunchedEffect(Unit) { later.layouts.autosave() } }
+        onWindowThread {
+            val saving = launch { later.layouts.autosave() }
             later.library.change { LibraryState(folder) }
-            waitFor { later.layouts.folder == folder }
+            awaitState { later.layouts.folder == folder }
             later.formulas.replaceAll(emptyList())
             later.show(later.opened(log, folder))
             later.formulas.definitions shouldBe emptyList()
+            saving.cancel()
         }
     }
 

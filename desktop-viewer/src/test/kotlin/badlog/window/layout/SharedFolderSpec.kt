@@ -12,16 +12,9 @@ import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
-import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
-import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
-import io.kotest.property.Arb
-import io.kotest.property.arbitrary.arbitrary
-import io.kotest.property.arbitrary.int
-import io.kotest.property.arbitrary.list
-import io.kotest.property.checkAll
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.cancelAndJoin
@@ -62,34 +55,6 @@ class SharedFolderSpec : FunSpec({
     fun arranged(vararg lines: String) = lines.fold(Board()) { board, line -> board.withGraph(listOf(line)) }
 
     fun Viewer.id(title: String) = board.arranged.graphs.single { it.title == title }.id
-
-    test("a window keeps another window's change to another graph, whichever of them is saved first") {
-        for (isFirst in listOf(true, false)) {
-            val folder = folders.next()
-            layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current", "Arm/Mode")) }
-            val (a, b) = List(2) { window(folder) }
-            a.board.change { with(graphs.single { it.title == "Arm/Angle" }.copy(title = "Own angle")) }
-            b.board.change { without(b.id("Arm/Current")) }
-            for (each in if (isFirst) listOf(a, b) else listOf(b, a)) each.layouts.saveNow()
-            stored(folder) shouldBe listOf("Own angle", "Arm/Mode")
-            window(folder).board.arranged shouldBe layouts.read(folder)?.graphs
-        }
-    }
-
-    test("windows that begin with the same graphs, for different logs, store them once") {
-        val folder = folders.next()
-        val a = window(folder)
-        val b = window(folder, arm(folder, "other.bag") { it.replace("Arm/Mode", "Wrist/Mode") })
-        a.board.change { withGraph(listOf("Arm/Angle", "Arm/Current")) }
-        a.layouts.saveNow()
-        b.board.change { without(graphs.single { it.lines == listOf("Arm/Current") }.id) }
-        b.layouts.saveNow()
-        val lines = layouts.read(folder)?.graphs?.graphs.orEmpty().map { it.lines }
-        lines.shouldBeUnique()
-        lines shouldContain listOf("Arm/Angle", "Arm/Current")
-        lines shouldNotContain listOf("Arm/Current")
-        lines.count { it == listOf("Arm/Angle") } shouldBe 1
-    }
 
     test("a formula that one window removes is stored in no graph, whatever another window that still has it changes") {
         val folder = folders.next()
@@ -165,40 +130,5 @@ class SharedFolderSpec : FunSpec({
         }
         threads.forEach { it.join() }
         layouts.read(folder)?.formulas.orEmpty() shouldContainExactlyInAnyOrder (1..30).flatMap { listOf(formula(0, it), formula(1, it)) }
-    }
-
-    class Deed(val window: Int, val kind: Int, val graph: Int, val value: Int)
-
-    test("after any changes and undos in three windows, each stored graph is there once, and draws no removed formula") {
-        val deeds = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..11).bind(), Arb.int(0..5).bind(), Arb.int(0..9).bind()) }, 0..40)
-        checkAll(60, deeds) { all ->
-            val folder = folders.next()
-            val logs = listOf(arm(folder), arm(folder, "poor.bag") { it.replace("Arm/Mode", "Wrist/Mode") }, arm(folder, "other.bag") { it.replace("Arm/", "Wrist/") })
-            val windows = logs.map { window(folder, it) }
-            for (deed in all) {
-                val viewer = windows[deed.window]
-                val graph = viewer.board.state.graphs.getOrNull(deed.graph)
-                val formula = "F${deed.value % 3} = ${deed.value}"
-                when (deed.kind) {
-                    0 -> viewer.board.change { withGraph(listOf(listOf("Arm/Angle", "Arm/Mode", "Wrist/Mode")[deed.value % 3])) }
-                    1 -> graph?.let { viewer.board.change { without(it.id) } }
-                    2 -> graph?.let { viewer.board.change { with(it.copy(title = "Own ${deed.value}")) } }
-                    3 -> graph?.let { viewer.board.change { moved(it.id, deed.value - 4) } }
-                    4 -> graph?.let { viewer.board.change { resized(it.id, 60 + deed.value) } }
-                    5 -> if (viewer.formulas.with(listOf(formula)).size > viewer.formulas.definitions.size) viewer.formulas.add(formula, "F${deed.value % 3}")
-                    6 -> viewer.formulas.definitions.getOrNull(deed.graph)?.let { viewer.formulas.remove(it) }
-                    7 -> viewer.board.undo()
-                    8 -> viewer.board.redo()
-                    9 -> viewer.show(logs[deed.value % 3])
-                    10 -> if (deed.value == 0) viewer.layouts.showStartBoard()
-                    else -> viewer.layouts.saveNow()
-                }
-            }
-            windows.forEach { it.layouts.saveNow() }
-            val last = layouts.read(folder) ?: return@checkAll
-            last.graphs?.graphs.orEmpty().map { it.id }.shouldBeUnique()
-            val names = last.formulas.map { it.substringBefore(" =") }
-            last.graphs?.graphs.orEmpty().flatMap { it.lines }.filter { it.startsWith("F") && it !in names } shouldBe emptyList()
-        }
     }
 })

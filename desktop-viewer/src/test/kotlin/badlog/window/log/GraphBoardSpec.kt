@@ -1,13 +1,11 @@
 package badlog.window.log
 
 import badlog.viewer.choices.board.Board
-import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.input.KeyAction
 import badlog.window.app.Viewer
 import badlog.window.bagOf
 import badlog.window.change
 import badlog.window.findings.findingsIn
-import badlog.window.graph.graphActions
 import badlog.window.graph.sample
 import badlog.window.graph.viewerOf
 import badlog.window.kept
@@ -26,8 +24,6 @@ class GraphBoardSpec : FunSpec({
     fun lines(board: GraphBoard) = board.state.graphs.map { it.lines }
 
     fun Viewer.perform(action: KeyAction) = commands.single { it.meaning == action.meaning }.action()
-
-    fun Viewer.choose(label: String, id: Int) = graphActions(graphs, board.state.graphs.single { it.id == id }).flatten().single { it.label == label }.run()
 
     test("a graph out of sight is scrolled to when it is added, or gets a line") {
         val board = abc()
@@ -51,29 +47,6 @@ class GraphBoardSpec : FunSpec({
         board.current?.id shouldBe 3
         board.change { without(3) }
         board.current?.id shouldBe 2
-    }
-
-    test("the menu leaves one graph, none, or changes its height, and undo takes that back; another log has no undo") {
-        val viewer = viewerOf(sample("qualification-42.bag"))
-        val before = viewer.board.state
-        viewer.choose("Only this graph", before.graphs[1].id)
-        viewer.board.state.graphs.map { it.lines } shouldBe listOf(before.graphs[1].lines)
-        viewer.perform(KeyAction.UNDO)
-        viewer.board.state shouldBe before
-        viewer.choose("Remove all graphs", before.graphs[0].id)
-        viewer.board.state.graphs.size shouldBe 0
-        viewer.perform(KeyAction.UNDO)
-        viewer.perform(KeyAction.REDO)
-        viewer.board.state.graphs.size shouldBe 0
-        viewer.perform(KeyAction.UNDO)
-        viewer.board.pointed = before.graphs[0].id
-        viewer.perform(KeyAction.NEXT_HEIGHT)
-        (viewer.board.state.graphs[0].height == null) shouldBe false
-        viewer.perform(KeyAction.MOVE_DOWN)
-        viewer.board.state.graphs[1].id shouldBe before.graphs[0].id
-        viewer.board.canUndo shouldBe true
-        viewer.board.replace(before)
-        viewer.board.canUndo shouldBe false
     }
 
     test("a repeated key acts on the graph that it moved, until the pointer moves") {
@@ -100,25 +73,6 @@ class GraphBoardSpec : FunSpec({
         viewer.board.state shouldBe own
     }
 
-    test("graphs of an earlier finding, restored by undo and redo, are not a person's own until they are kept") {
-        val board = abc()
-        val own = board.state
-        board.showEvidence(Board().withGraph(listOf("X")))
-        board.showEvidence(Board().withGraph(listOf("Y")))
-        board.undo()
-        lines(board).first() shouldBe listOf("X")
-        board.kept shouldBe own
-        board.isEvidence(board.state.graphs.first().id) shouldBe true
-        board.redo()
-        lines(board).first() shouldBe listOf("Y")
-        board.kept shouldBe own
-        board.keep()
-        board.undo()
-        board.kept shouldBe own
-        board.redo()
-        board.kept shouldBe board.state
-    }
-
     test("a pinned graph of a finding stays when the next finding is shown") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         viewer.findings.change { withList(findingsIn(checkNotNull(viewer.current.recording))) }
@@ -131,22 +85,5 @@ class GraphBoardSpec : FunSpec({
         viewer.board.kept.graphs shouldContain graph
         viewer.perform(KeyAction.PIN)
         viewer.board.state.graphs shouldNotContain graph
-    }
-
-    test("the graphs of a finding join the initial graphs, do not count as a person's change, and make room for another finding") {
-        val board = abc()
-        board.beginWith(board.state.withGraphs(listOf(BoardGraph(0, "Found", listOf("D"))), before = 2))
-        lines(board) shouldBe listOf("A", "D", "B", "C").map(::listOf)
-        board.canUndo shouldBe false
-        board.kept.graphs.flatMap { it.lines } shouldBe listOf("A", "B", "C")
-        board.showEvidence(Board().withGraph(listOf("E")))
-        lines(board) shouldBe listOf("E", "A", "B", "C").map(::listOf)
-    }
-
-    test("the graphs of a finding are not added if a person has arranged graphs before") {
-        val board = abc()
-        board.change { without(2) }
-        board.beginWith(board.state.withGraph(listOf("D")))
-        lines(board) shouldBe listOf("A", "C").map(::listOf)
     }
 })

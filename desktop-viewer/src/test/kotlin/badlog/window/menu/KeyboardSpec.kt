@@ -5,18 +5,27 @@ import androidx.compose.foundation.focusable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsFocused
+import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
@@ -26,6 +35,9 @@ import badlog.files.UserFolders
 import badlog.window.app.GESTURES
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
+import badlog.window.theme.SearchField
+import badlog.window.theme.Theme
+import badlog.window.theme.ViewerTheme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
@@ -116,6 +128,20 @@ class KeyboardSpec : FunSpec({
             for (gesture in GESTURES) onNodeWithText(gesture.meaning).assertExists()
             onNodeWithContentDescription("Close the sheet").performClick()
             runOnIdle { viewer.panels.state.help shouldBe false }
+        }
+    }
+
+    test("a click at either edge of a search field gives it the keyboard focus") {
+        var text by mutableStateOf("")
+        runDesktopComposeUiTest(400, 100) {
+            setContent { ViewerTheme(Theme.LIGHT) { SearchField(text, "Search topics", Modifier.width(300.dp)) { text = it } } }
+            val field = onNodeWithContentDescription("Search topics")
+            for (share in listOf(0.02f, 0.98f)) {
+                field.performMouseInput { click(Offset(width * share, height / 2f)) }
+                field.assertIsFocused()
+            }
+            field.performTextInput("arm")
+            runOnIdle { text shouldBe "arm" }
         }
     }
 })

@@ -21,7 +21,6 @@ import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
-import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performScrollTo
@@ -93,17 +92,6 @@ class OpenMenusSpec : FunSpec({
 
             repeat(2) { onNodeWithContentDescription("First menu").performMouseInput { click() } }
             onNodeWithContentDescription("Do one").assertDoesNotExist()
-        }
-    }
-
-    test("the arrow keys go through a menu, and Enter runs its line") {
-        val done = ArrayList<String>()
-        runDesktopComposeUiTest(400, 300) {
-            setContent { TestWindow { Menu("Do", "Menu", Icons.Graph) { listOf("one", "two").map { MenuEntry(it) { done += it } } } } }
-            onNodeWithContentDescription("Menu").performClick()
-            onNodeWithContentDescription("one").performKeyInput { pressKey(Key.DirectionDown) }
-            onNodeWithContentDescription("two").performKeyInput { pressKey(Key.Enter) }
-            done shouldContainExactly listOf("two")
         }
     }
 

@@ -101,35 +101,6 @@ class RobotBarSpec : FunSpec({
         }
     }
 
-    test("a robot that is not trusted is left alone") {
-        FakeRobot(tempdir().toPath()).use { robot ->
-            DriverStation().use { station ->
-                beside({ listOf(robot.address(station.port)) }, tempdir().toPath()) { viewer ->
-                    onNodeWithContentDescription("Team number or address").performTextInput("1014")
-                    onNodeWithContentDescription("Fetch logs from the robot").performClick()
-                    awaitText("Trust it?")
-                    onNodeWithContentDescription("Do not trust this robot").performClick()
-                    awaitText("10.10.14.2 is not trusted, so nothing was fetched.")
-                    waitFor { !viewer.robot.state.isOn }
-                }
-            }
-        }
-    }
-
-    test("a robot that does not report whether it is enabled waits for a person, who may fetch anyway") {
-        FakeRobot(tempdir().toPath()).use { robot ->
-            robot.log("match.bag", matchBag(42))
-            beside({ listOf(robot.address()) }, tempdir().toPath()) { viewer ->
-                connect()
-                awaitText("10.10.14.2 does not say whether it is enabled; start its program.")
-                onNodeWithContentDescription("Fetch even if the robot may be enabled").performClick()
-                awaitText("Trust it?")
-                onNodeWithContentDescription("Trust this robot").performClick()
-                waitForNotice(viewer, "MILLC Qualification 42 came from 10.10.14.2.")
-            }
-        }
-    }
-
     test("a password is requested, not shown, and not stored") {
         val folder = tempdir().toPath()
         FakeRobot(tempdir().toPath(), passwords = mapOf("lvuser" to "secret")).use { robot ->

@@ -163,18 +163,6 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    test("without a robot, the recording says where it looks, and creates no file") {
-        val folder = tempdir().toPath()
-        beside(null, folder) { viewer ->
-            record("Record until stopped")
-            await("Looking for the robot at 127.0.0.1.")
-            await("A log begins when the robot answers.")
-            onNodeWithContentDescription("Stop recording the robot").performClick()
-            waitFor { !viewer.recording.state.isOn }
-            folder.listDirectoryEntries().shouldBeEmpty()
-        }
-    }
-
     test("a folder that cannot be written is reported, and ends the recording") {
         val file = tempdir().toPath().resolve("a-file").also { Files.writeString(it, "x") }
         robot().use { server ->

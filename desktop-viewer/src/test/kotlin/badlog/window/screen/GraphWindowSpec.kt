@@ -160,34 +160,4 @@ class GraphWindowSpec : FunSpec({
             window.dragTo("Topic System/Battery Voltage", "Plot Match Time") { viewer -> viewer.board.state.graphs.sumOf { it.lines.size } == before + 1 }
         }
     }
-
-    test("a topic is found and drawn by keys alone, moved, and the move is undone").config(enabledOrReasonIf = { needsDisplay }) {
-        open().use { window ->
-            val before = window.look { it.board.state }
-            window.press(KeyEvent.VK_F, KeyEvent.VK_CONTROL)
-            window.type("at bottom")
-            window.awaitState("the search") { it.topics.state.query == "at bottom" }
-            window.awaitText("Topic Elevator/At Bottom")
-            window.press(KeyEvent.VK_DOWN)
-            window.awaitState("a mark on the topic") { it.topics.state.marked == "Elevator/At Bottom" }
-            window.picture("topic-by-keys")
-            window.press(KeyEvent.VK_ENTER)
-            window.awaitState("its graph") { viewer -> viewer.board.state.graphs.last().lines == listOf("Elevator/At Bottom") }
-            window.press(KeyEvent.VK_ESCAPE)
-            window.awaitState("the keyboard free") { !it.keyboard.isTyping }
-            window.awaitText("Plot Elevator/At Bottom")
-            window.point("Plot Elevator/At Bottom", 0.5, 0.5)
-            window.awaitState("the graph that keys are for") { it.board.current?.title == "Elevator/At Bottom" }
-            window.press(KeyEvent.VK_UP, KeyEvent.VK_ALT)
-            window.awaitState("it further up") { viewer -> viewer.board.state.graphs.indexOfFirst { it.title == "Elevator/At Bottom" } == before.graphs.size - 1 }
-            repeat(2) { window.press(KeyEvent.VK_Z, KeyEvent.VK_CONTROL) }
-            window.awaitState("the graphs of before") { it.board.state == before }
-            window.press(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT)
-            window.awaitState("one more again") { it.board.state.graphs.size == before.graphs.size + 1 }
-            repeat(60) { window.press(KeyEvent.VK_UP) }
-            window.awaitState("the first graph") { it.graphs.list.firstVisibleItemIndex == 0 && it.graphs.list.firstVisibleItemScrollOffset == 0 }
-            window.press(KeyEvent.VK_DOWN)
-            window.awaitState("graphs further down") { it.graphs.list.firstVisibleItemScrollOffset > 0 || it.graphs.list.firstVisibleItemIndex > 0 }
-        }
-    }
 })

@@ -17,17 +17,17 @@ import java.nio.file.attribute.PosixFilePermissions
 
 @Tags("InCheck")
 class TroubleWindowSpec : FunSpec({
+    val large by lazy { largeBag(tempdir().toPath(), "large.bag") }
+
     test("a window that reads a large file closes at once").config(enabledOrReasonIf = { needsDisplay }) {
-        val file = largeBag(tempdir().toPath(), "large.bag")
-        val window = RealWindow(tempdir().toPath(), file)
+        val window = RealWindow(tempdir().toPath(), large)
         window.awaitReading()
         window.close()
     }
 
     test("a log that is opened while another one is read replaces it").config(enabledOrReasonIf = { needsDisplay }) {
-        val folder = tempdir().toPath()
-        val small = folder.put("small.bag", bag())
-        RealWindow(tempdir().toPath(), largeBag(folder, "large.bag")).use { window ->
+        val small = large.parent.put("small.bag", bag())
+        RealWindow(tempdir().toPath(), large).use { window ->
             window.awaitReading()
             window.look { it.loader.open(small) }
             window.awaitState("the small one") { it.current.recording?.file == small && it.tasks.all.isEmpty() }
@@ -44,25 +44,6 @@ class TroubleWindowSpec : FunSpec({
             window.awaitSaid("was removed from its folder")
             window.look { it.current.recording?.file } shouldBe file
             window.picture("deleted")
-        }
-    }
-
-    test("a growing log is followed, without incomplete rows").config(enabledOrReasonIf = { needsDisplay }) {
-        val file = tempdir().toPath().put("live.bag", bag(100))
-        RealWindow(tempdir().toPath(), file).use { window ->
-            window.awaitState("the log") { it.current.recording != null }
-            for (row in 100 until 400) {
-                val text = "${row * 0.02},11.5,1\n"
-                Files.writeString(file, text.take(4), StandardOpenOption.APPEND)
-                if (row % 100 == 0) {
-                    val end = (row - 1) * 0.02
-                    window.awaitState("what is whole") { it.view.viewport.visible.to in end - 1e-6..end + 1e-6 }
-                    window.look { viewer -> viewer.current.recording?.view?.problems.orEmpty().map { it.message } }.shouldBeEmpty()
-                }
-                Files.writeString(file, text.drop(4), StandardOpenOption.APPEND)
-            }
-            window.awaitState("its end") { it.view.viewport.visible.to > 399 * 0.02 - 1e-6 }
-            window.look { viewer -> viewer.current.recording?.view?.problems.orEmpty().map { it.message } }.shouldBeEmpty()
         }
     }
 

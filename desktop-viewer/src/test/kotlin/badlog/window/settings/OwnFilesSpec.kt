@@ -1,18 +1,12 @@
 package badlog.window.settings
 
-import androidx.compose.ui.test.DesktopComposeUiTest
-import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.onNodeWithContentDescription
-import androidx.compose.ui.test.onNodeWithText
-import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.catalog.folder.putSamples
 import badlog.files.UserFolders
 import badlog.window.app.Viewer
-import badlog.window.app.ViewerScreen
 import badlog.window.change
 import badlog.window.theme.Theme
-import badlog.window.waiting.waitFor
+import badlog.window.waiting.awaitState
+import badlog.window.waiting.onWindowThread
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -20,27 +14,23 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.cancel
-import kotlinx.coroutines.launch
 import java.nio.file.Files
 
-@OptIn(ExperimentalTestApi::class)
 @Tags("InCheck")
 class OwnFilesSpec : FunSpec({
-    /** Stores everything for the next start in a window with [folders], and returns the window's notices. */
-    fun saidWith(folders: UserFolders, steps: DesktopComposeUiTest.(Viewer) -> Unit = {}): List<String> {
+    /** Stores everything for the next start of a viewer with [folders], and returns its notices. */
+    fun saidWith(folders: UserFolders, steps: suspend (Viewer) -> Unit = {}): List<String> {
         val viewer = Viewer(MainScope(), folders)
         try {
-            runDesktopComposeUiTest(1600, 800) {
-                setContent { ViewerScreen(viewer) }
+            onWindowThread {
                 viewer.start()
                 viewer.library.open(tempdir().toPath().also { it.putSamples() })
-                waitFor { viewer.current.recording != null && viewer.library.state.reading == null }
-                onNodeWithContentDescription("Theme: system").performClick()
+                awaitState { viewer.current.recording != null && viewer.library.state.reading == null }
+                viewer.settings.change { copy(theme = Theme.DARK) }
                 steps(viewer)
                 viewer.board.change { withGraph(listOf("Drivetrain/Left Output")) }
                 // Saves like the window does by itself a moment later.
-                val saving = viewer.scope.launch { viewer.layouts.save() }
-                waitFor { saving.isCompleted }
+                viewer.layouts.save()
             }
             return viewer.notices.all.map { it.text }
         } finally {
@@ -52,10 +42,8 @@ class OwnFilesSpec : FunSpec({
     test("a home folder that cannot be written is reported in one sentence, and the window works") {
         val home = Files.createFile(tempdir().toPath().resolve("home"))
         saidWith(UserFolders(home.resolve(".config/badlog"), home.resolve(".cache/badlog"))) { viewer ->
-            viewer.settings.state.theme shouldBe Theme.DARK
-            onNodeWithText("Settings, layouts", substring = true).assertExists()
             viewer.openSample()
-            waitFor { viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag.gz" }
+            awaitState { viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag.gz" }
         } shouldContainExactly listOf(
             "Settings, layouts and stored results for logs cannot be kept for the next start; " +
                 "rename the file $home, because a folder must be there.",
@@ -66,14 +54,14 @@ class OwnFilesSpec : FunSpec({
         val folder = tempdir().toPath()
         val cache = Files.createFile(folder.resolve("cache"))
         val settings = SettingsFile(folder.resolve("config/badlog").resolve(SettingsFile.NAME))
-        saidWith(UserFolders(folder.resolve("config/badlog"), cache)) { waitFor { settings.read().theme == Theme.DARK } } shouldContainExactly
+        saidWith(UserFolders(folder.resolve("config/badlog"), cache)) { awaitState { settings.read().theme == Theme.DARK } } shouldContainExactly
             listOf("Stored results for logs cannot be kept for the next start; rename the file $cache, because a folder must be there.")
     }
 
     test("a file that cannot be replaced in a writable folder is reported once, too") {
         val home = tempdir().toPath()
         Files.createDirectories(home.resolve("${SettingsFile.NAME}/in the way"))
-        val said = saidWith(UserFolders(home, home)) { viewer -> waitFor { viewer.notices.all.isNotEmpty() } }
+        val said = saidWith(UserFolders(home, home)) { viewer -> awaitState { viewer.notices.all.isNotEmpty() } }
         said.size shouldBe 1
         said.single().startsWith("Settings and layouts cannot be saved: ${home.resolve(SettingsFile.NAME)} cannot be") shouldBe true
     }

@@ -3,8 +3,6 @@ package badlog.window.sidebar
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.assertCountEquals
-import androidx.compose.ui.test.assertIsNotSelected
 import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onAllNodesWithText
@@ -12,8 +10,6 @@ import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performMouseInput
-import androidx.compose.ui.test.performTextInput
-import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import androidx.compose.ui.text.TextLayoutResult
 import badlog.viewer.input.KeyAction
@@ -27,7 +23,6 @@ import badlog.window.findings.findingsIn
 import badlog.window.findings.findingsOf
 import badlog.window.findings.ruleText
 import badlog.window.findings.writeRules
-import badlog.window.graph.sample
 import badlog.window.graph.savePicture
 import badlog.window.graph.viewerOf
 import badlog.window.graph.waitForPictures
@@ -118,84 +113,6 @@ class FindingsPanelSpec : FunSpec({
                 .forEach { it.config[SemanticsActions.GetTextLayoutResult].action?.invoke(layouts) }
             layouts.shouldNotBeEmpty()
             layouts.forEach { it.hasVisualOverflow shouldBe false }
-        }
-    }
-
-    test("a search narrows findings and incidents, counts the hidden ones, and can be cleared") {
-        val viewer = inspecting(sample("qualification-42.bag"))
-        val list = viewer.findings.state.list.shouldNotBeNull()
-        runDesktopComposeUiTest(380, 900) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
-            onNodeWithContentDescription("Search findings").performTextInput("brown -arm")
-            val left = list.foundBy("brown -arm")
-            left.findings.map { it.rule } shouldContain "Browned out"
-            onNodeWithText(left.hidden).assertExists()
-            onNodeWithContentDescription("Search findings").performTextReplacement("no such thing")
-            onNodeWithText(list.foundBy("no such thing").hidden).assertExists()
-            savePicture("findings-searched")
-            onNodeWithText("Show them").performClick()
-            onNodeWithContentDescription("Incident: ${list.incidents.first().name}").assertExists()
-        }
-    }
-
-    test("an incident’s name leads to its first finding, and is marked while one of its findings is selected") {
-        val viewer = inspecting(sample("qualification-42.bag"))
-        val list = viewer.findings.state.list.shouldNotBeNull()
-        val incident = list.incidents.first()
-        runDesktopComposeUiTest(380, 900) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
-            val name = onNodeWithContentDescription("Incident: ${incident.name}")
-            name.assertIsNotSelected()
-            name.performClick()
-            viewer.findings.selected shouldBe incident.first
-            name.assertIsSelected()
-            savePicture("incident-open")
-            runOnIdle { viewer.findings.goTo(list.all.first { it !in incident }) }
-            name.assertIsNotSelected()
-        }
-    }
-
-    test("the sentences of an incident appear only there, and its other findings are folded") {
-        val viewer = inspecting(sample("qualification-42.bag"))
-        val list = viewer.findings.state.list.shouldNotBeNull()
-        val left = list.foundBy("").beside.within
-        runDesktopComposeUiTest(380, 4000) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
-            for (incident in list.incidents) {
-                onNodeWithText("${incident.severity.word}: ${incident.name}").assertExists()
-                for (sentence in incident.sentences) onAllNodesWithText(sentence.finding.text, substring = true).assertCountEquals(1)
-            }
-            onAllNodesWithText(left.first().text).assertCountEquals(0)
-            onNodeWithText("${left.size} more findings, part of the incidents").performClick()
-            for (finding in left) onAllNodesWithText(finding.text).assertCountEquals(1)
-            // If a finding is a sentence of an incident, its other details are there.
-            onNodeWithContentDescription("Finding, error: Browned out").performClick()
-            onNodeWithContentDescription("Next place").assertExists()
-        }
-    }
-
-    test("the key for the next finding opens the panel of findings, unless another panel is open") {
-        val viewer = viewerOf(sample("qualification-42.bag"))
-        viewer.findings.change { withList(findingsIn(viewer.current.recording.shouldNotBeNull())) }
-        val next = viewer.commands.single { it.meaning == KeyAction.NEXT_FINDING.meaning }
-        next.action()
-        viewer.panels.state.inspector shouldBe InspectorTab.FINDINGS
-        viewer.panels.state.front shouldBe FrontPart.GRAPHS
-        viewer.panels.change { inspecting(InspectorTab.EVENTS) }
-        next.action()
-        viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
-    }
-
-    test("an invalid file of rules, and a log without findings, are reported") {
-        val viewer = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
-        val nothing = findingsIn(counted(folderOf(ruleText("Never", "A > 1000"))))
-        runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
-            onAllNodesWithText("badlog-rules.toml: Line 5", substring = true).fetchSemanticsNodes().size shouldBe 1
-            savePicture("findings-wrong-rules")
-            runOnIdle { viewer.findings.change { withList(nothing) } }
-            waitForIdle()
-            onNodeWithText("Nothing was found.").assertExists()
         }
     }
 

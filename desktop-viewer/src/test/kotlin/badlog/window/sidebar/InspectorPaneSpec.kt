@@ -9,11 +9,9 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
-import badlog.core.analysis.Span
 import badlog.core.recording.Severity
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
-import badlog.viewer.shown.statistics.Histogram
 import badlog.viewer.state.PlaceAction
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
@@ -68,37 +66,6 @@ class InspectorPaneSpec : FunSpec({
         problemsIn(healthy) shouldBe healthy.problems.count { it.severity != Severity.NOTE }
         problemsIn(recordingOf("A,B\n1,2\n3,x,y,z\n1,2\n").view) shouldBe
             recordingOf("A,B\n1,2\n3,x,y,z\n1,2\n").view.problems.count { it.severity != Severity.NOTE }
-    }
-
-    test("values are found by name and text, and the panel closes") {
-        val values = mapOf("Event Name" to "OHCL", "Arm/Gain" to "0.5")
-        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"), values)), InspectorTab.VALUES)
-        runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
-            onNodeWithText("OHCL").assertExists()
-            onNodeWithText("Arm").assertExists()
-            onNodeWithContentDescription("Search metadata").performTextInput("gain")
-            onNodeWithText("OHCL").assertDoesNotExist()
-            onNodeWithText("0.5").assertExists()
-            onNodeWithContentDescription("Close the panel").performClick()
-            runOnIdle { viewer.panels.state.inspector shouldBe null }
-        }
-    }
-
-    test("the statistics follow the selection, and have histograms") {
-        val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1", "1,2", "2,6"))), InspectorTab.STATISTICS)
-        viewer.board.replace(Board().withGraph(listOf("A")))
-        runDesktopComposeUiTest(320, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
-            waitFor { onAllNodesWithText("Visible range", substring = true).fetchSemanticsNodes().isNotEmpty() }
-            onAllNodesWithText("1.5 V").fetchSemanticsNodes().size shouldBe 2
-            viewer.view.send(PlaceAction.Select(Span(1.0, 2.0)))
-            waitFor { onAllNodesWithText("Selection", substring = true).fetchSemanticsNodes().isNotEmpty() }
-            onNodeWithText("1.5 V").assertDoesNotExist()
-            onAllNodesWithText("4 V").fetchSemanticsNodes().size shouldBe 1
-            onNodeWithContentDescription("Histogram of A: ${Histogram.HINT}").performClick()
-            waitFor { onAllNodesWithContentDescription("Histogram of A").fetchSemanticsNodes().isNotEmpty() }
-        }
     }
 
     test("the panel of values draws a topic that a search finds, and then leads to its graph") {

@@ -14,7 +14,6 @@ import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
-import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.catalog.folder.putSamples
 import badlog.catalog.todo.TodoFolder
@@ -26,7 +25,6 @@ import badlog.viewer.todo.NoteTask
 import badlog.viewer.todo.OwnTask
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.lines
-import badlog.viewer.todo.toMarkdown
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.files.ChosenFiles
@@ -123,38 +121,6 @@ class TodoPaneSpec : FunSpec({
         }
     }
 
-    test("another person’s name counts for one change, and Enter on a button presses it") {
-        onFolder { viewer, _ ->
-            val one = viewer.todo.state.list.open.first()
-            onNodeWithContentDescription("Mark as done: ${one.title}").performClick()
-            onNodeWithContentDescription("By whom").performTextReplacement("Ben")
-            onNodeWithContentDescription("Cancel (Escape)").requestFocus().performKeyInput { pressKey(Key.Enter) }
-            viewer.todo.state.list.item(one.task)?.isOpen shouldBe true
-            onNodeWithContentDescription("Mark as done: ${one.title}").performClick()
-            onNodeWithContentDescription("By whom").performTextReplacement("Ben")
-            onNodeWithContentDescription("Mark as done (Enter)").performClick()
-            viewer.todo.state.list.item(one.task)?.done?.by shouldBe "Ben"
-            viewer.todo.author shouldBe "Ada"
-        }
-    }
-
-    test("the list is saved as a page, and copied as Markdown") {
-        val page = tempdir().toPath().resolve("list.html")
-        onFolder(page = page) { viewer, _ ->
-            onNodeWithContentDescription("Save the list as a page").performClick()
-            waitFor { page.exists() && viewer.tasks.all.isEmpty() }
-            page.readText() shouldContain "Bumpers are tight"
-            viewer.todo.state.list.toMarkdown() shouldContain "- [ ] **${open(viewer).first()}**"
-        }
-    }
-
-    test("the pit view shows the open items, and a click on it shows the list") {
-        onFolder(MainView.PIT) { viewer, _ ->
-            onNodeWithText("• ${open(viewer).first()}").performClick()
-            viewer.panels.state.main shouldBe MainView.TODO
-        }
-    }
-
     test("a note of the open log is added to the list") {
         onFolder(MainView.GRAPHS) { viewer, folder ->
             viewer.scope.launch { viewer.notes.run() }
@@ -166,23 +132,6 @@ class TodoPaneSpec : FunSpec({
             onNodeWithContentDescription("Put on the list: It smells burnt.").performClick()
             val item = viewer.todo.state.list.item(NoteTask("practice.bag", 1.5, "It smells burnt."))
             item?.lines shouldBe listOf("A note in practice.bag.")
-        }
-    }
-
-    test("a finding of the open log shows its state on the list, and is assigned below it") {
-        onFolder(MainView.GRAPHS) { viewer, _ ->
-            viewer.scope.launch { viewer.findings.run() }
-            val item = viewer.todo.state.list.open.first()
-            viewer.todo.write(item.task, TodoDeed.Done("new lead", "Qualification 58"))
-            viewer.logActions.openFindings(viewer.library.state.entries.first { it.fileName == item.found?.log?.name })
-            waitFor { viewer.findings.selected != null }
-            viewer.findings.goTo(viewer.findings.state.list!!.all.first { it.rule == item.title })
-            waitForIdle()
-            onNodeWithText("Done before Qualification 58 by Ada: new lead").assertExists()
-            onNodeWithContentDescription("Assign…: ${item.title}").performClick()
-            onNodeWithContentDescription("Who takes it on; nobody if empty").performTextInput("Ben")
-            onNodeWithContentDescription("Assign (Enter)").performClick()
-            viewer.todo.state.list.item(item.task)?.person shouldBe "Ben"
         }
     }
 })

@@ -14,13 +14,11 @@ import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.files.UserFolders
-import badlog.viewer.state.PlaceAction
 import badlog.window.TestTopics
 import badlog.window.app.Viewer
 import badlog.window.bagOf
 import badlog.window.log.OpenRecording
 import badlog.window.recordingOf
-import badlog.window.sidebar.InspectorTab
 import badlog.window.theme.Theme
 import badlog.window.theme.ViewerTheme
 import badlog.window.waiting.waitFor
@@ -76,36 +74,6 @@ class TopicPaneSpec : FunSpec({
         }
     }
 
-    test("the values are from under the cursor: none before the log, and the last ones without a cursor") {
-        val viewer = viewerOf(arm)
-        runDesktopComposeUiTest(240, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
-            waitFor { onAllNodesWithText("30 V").fetchSemanticsNodes().isNotEmpty() }
-            onNodeWithText("1 event").assertExists()
-            viewer.view.send(PlaceAction.MoveCursor(1.4))
-            onNodeWithText("20 V").assertExists()
-            viewer.view.send(PlaceAction.MoveCursor(0.0))
-            onNodeWithText("10 V").assertExists()
-            viewer.view.send(PlaceAction.MoveCursor(-5.0))
-            waitFor { onAllNodesWithText("–").fetchSemanticsNodes().isNotEmpty() }
-            onNodeWithText("10 V").assertDoesNotExist()
-        }
-    }
-
-    test("a topic of events opens their list") {
-        val viewer = viewerOf(arm)
-        runDesktopComposeUiTest(240, 600) {
-            setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
-            waitFor { onAllNodesWithText("Log").fetchSemanticsNodes().isNotEmpty() }
-            onNodeWithContentDescription("Topic Log").performClick()
-            runOnIdle {
-                viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
-                viewer.events.state.topics shouldBe setOf("Log")
-                drawn(viewer) shouldBe emptyList()
-            }
-        }
-    }
-
     test("10,000 topics and names of 500 characters are listed and searched") {
         val long = "Long ".repeat(100)
         val names = List(10_000) { "Folder ${it % 50}/Topic $it" } + long
@@ -135,19 +103,6 @@ class TopicPaneSpec : FunSpec({
                 viewer.topics.state.marked shouldBe "Elevator/Height"
             } finally {
                 listed.countDown()
-            }
-        }
-    }
-
-    test("without a recording, and with an empty one, a sentence replaces the topics") {
-        for ((recording, sentence) in listOf(
-            null to "Open a log to see its topics.",
-            recordingOf("") to "This log has no topics with samples.",
-        )) {
-            val viewer = viewerOf(recording)
-            runDesktopComposeUiTest(240, 600) {
-                setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
-                onNodeWithText(sentence).assertExists()
             }
         }
     }

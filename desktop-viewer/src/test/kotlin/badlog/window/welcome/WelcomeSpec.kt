@@ -2,7 +2,6 @@ package badlog.window.welcome
 
 import androidx.compose.ui.test.DesktopComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.onNodeWithContentDescription
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
@@ -21,7 +20,6 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
-import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import kotlinx.coroutines.MainScope
 import kotlinx.coroutines.launch
@@ -97,30 +95,6 @@ class WelcomeSpec : FunSpec({
         Files.write(file, ByteArray(10))
         SampleLog.unpackInto(cache) shouldBe file
         unpacked().size.toLong() shouldBe Files.size(samples.resolve("qualification-42.bag"))
-    }
-
-    test("a log opened in the welcome is shown with its folder") {
-        val log = samples.resolve("practice.bag").toAbsolutePath().normalize()
-        atFirstStart(ChosenFiles(log)) { viewer ->
-            onNodeWithContentDescription("Open one of your logs").performClick()
-            waitFor { viewer.current.recording?.file == log }
-            viewer.library.state.folder shouldBe log.parent
-        }
-    }
-
-    test("fetching logs asks for their folder first; then the robot’s number can be typed") {
-        val chosen = ChosenFiles(null)
-        atFirstStart(chosen) { viewer ->
-            onNodeWithContentDescription("Fetch logs from a robot").performClick()
-            chosen.questions shouldContainExactly listOf("Select a folder for the robot’s logs")
-            viewer.robot.state.isShown shouldBe false
-            chosen.file = tempdir().toPath()
-            onNodeWithContentDescription("Fetch logs from a robot").performClick()
-            onNodeWithContentDescription("Team number or address").assertIsFocused()
-            waitFor { viewer.library.state.hasLooked }
-            onNodeWithContentDescription("Fetch logs from a robot").performClick()
-            chosen.questions.size shouldBe 2
-        }
     }
 
     test("each language shows its own lines and its guide") {

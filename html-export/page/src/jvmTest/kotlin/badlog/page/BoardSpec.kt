@@ -92,32 +92,6 @@ internal class BoardSpec : PageSpec({
                 elements(".menu").size shouldBe 0
             }
             clear()
-            step("the second of two graphs with one title has a number in heading, spoken name and menus, until the first is removed") {
-                script("location.hash = '#board=Volt,Amp;Volt;Speed'")
-                settle()
-                titles() shouldBe listOf("Volt", "Volt (2)", "Speed")
-                elements("#board .plot").map { it.getDomAttribute("aria-label")?.substringBefore(';') } shouldBe titles().map { "Graph of $it" }
-                elements("#board .graph-menu")[2].click()
-                settle()
-                texts(".menu button").filter { it.startsWith("Add to “") } shouldBe listOf("Add to “Volt”", "Add to “Volt (2)”")
-                press(Keys.ESCAPE)
-                choose(0, "Remove this graph")
-                titles() shouldBe listOf("Volt", "Speed")
-            }
-            clear()
-            step("a search shows the matching graphs of the board, and their number") {
-                script("location.hash = '#board=Volt,Amp;Speed'")
-                settle()
-                press("/")
-                press("amp")
-                elements("#board .graph").filter { it.isDisplayed }.map { it.getDomAttribute("data-name") } shouldBe listOf("Volt")
-                elements("#board .legend-entry").filter { it.isDisplayed }.map { it.getDomAttribute("data-series") } shouldBe listOf("Amp")
-                element("#board header").text shouldContain "1 of 2 graphs"
-                press(Keys.ESCAPE)
-                elements("#board .graph").count { it.isDisplayed } shouldBe 2
-                element("#board header").text shouldContain "2 graphs"
-            }
-            clear()
             step("graphs are pinned by a button and a key, are still there when the page is opened again, and every step can be undone") {
                 element("#board").text shouldContain "Pin graphs"
                 pin("Volt")
@@ -224,32 +198,6 @@ internal class BoardSpec : PageSpec({
                 elements("#board .reset-y").first().isDisplayed shouldBe true
                 click("#board .reset-y")
                 elements("#board .reset-y").first().isDisplayed shouldBe false
-            }
-            clear()
-            step("the graphs of a formula are redrawn when it changes, and leave the board when it is removed") {
-                press("f")
-                press("Sum [V] = Volt + Other", Keys.ENTER)
-                await("the formula’s graph") { "Sum" in graphNames }
-                pin("Sum")
-                titles() shouldBe listOf("Sum")
-                press("f")
-                click(".formula-list .text-button")
-                act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
-                press("Total [V] = Volt + Other", Keys.ENTER)
-                await("its other name on the board") { titles() == listOf("Total") }
-                press("f")
-                click(".formula-remove")
-                press(Keys.ESCAPE)
-                titles() shouldBe emptyList()
-            }
-            clear()
-            step("graphs that share their y limits draw a unit on the same scale") {
-                for (name in listOf("Volt", "Other")) pin(name)
-                val alone = graph("Volt").lineColumns().sum()
-                for (i in 0..1) choose(i, "Share the y limits")
-                // Volt goes up to 99, and Other up to 16 times as far.
-                val shared = graph("Volt").lineColumns().sum()
-                alone shouldBeGreaterThan shared * 2
             }
             clear()
             step("a graph of the page that is dragged onto another one puts both on the board") {

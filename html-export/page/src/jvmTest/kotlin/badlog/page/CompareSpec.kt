@@ -8,7 +8,6 @@ import badlog.rules.RuleSet
 import io.kotest.core.annotation.Tags
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
-import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.By
@@ -39,13 +38,10 @@ internal class CompareSpec : PageSpec({
 
     fun OpenPage.legend() = texts(".graph[data-name='$VOLTS'] .legend-name").zip(texts(".graph[data-name='$VOLTS'] .legend .value")) { name, value -> "$name $value" }
 
-    fun OpenPage.offset() = element(".compared-offset input").getAttribute("value").orEmpty().toDouble()
-
     browserTest("logs are compared, moved, calculated with, and removed again") {
         val folder = tempdir().toPath()
         val files = listOf("a.bag" to log(0.0, 2.0, 11.0), "pit.bag" to byteArrayOf(-1, -40, -1, 0), "b.bag" to log(5.0, 2.0, 10.0))
             .map { (name, bytes) -> Files.write(folder.resolve(name), bytes) }
-        val poor = bagOf(listOf(TIME, BagTopic("Enabled")), rows = 11) { row, column -> if (column == 0) row else 1 }
         onPage(page) {
             step("a dropped log is drawn over the page's own in each graph, with its values at the cursor and in the statistics") {
                 element("#compare").isDisplayed shouldBe false
@@ -106,32 +102,10 @@ internal class CompareSpec : PageSpec({
                     graph(name).card.findElements(By.cssSelector(".legend-entry")).size shouldBe 2
                 }
             }
-            element("#compare [aria-label='Stop comparing']").click()
-            step("logs are aligned at their start or when the robot was enabled, or moved by hand, from where they were") {
-                compare("other.bag" to log(100.0, 3.0, 11.0))
-                awaitLogs(2)
-                offset() shouldBe (-100.0 plusOrMinus 1e-6)
-                elements(".alignment button").first { it.text == "Enabled" }.click()
-                offset() shouldBe (-101.0 plusOrMinus 1e-6)
-                elements(".compared-log .text-button").first { it.text == "+.1" }.click()
-                offset() shouldBe (-100.9 plusOrMinus 1e-6)
-                texts(".alignment [aria-pressed='true']") shouldContainExactly listOf("Manual")
-                element(".compared-offset input").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-99,5", Keys.ENTER)
-                offset() shouldBe (-99.5 plusOrMinus 1e-6)
-                element(".compared-offset input").sendKeys(Keys.chord(Keys.CONTROL, "a"), "fast", Keys.ENTER)
-                offset() shouldBe (-99.5 plusOrMinus 1e-6)
-            }
         }
     }
 
     browserTest("compared logs are named after their match, whether dropped or exported with the page") {
-        step("logs are named after a match that only topics or file names show, as in the window") {
-            onPage(TestPages.of(wpilog(), "FRC_20260314_150000_MIARC_Q42.wpilog")) {
-                compare("FRC_20260314_170000_MIARC_Q57.wpilog" to wpilog())
-                awaitLogs(2)
-                texts(".compared-log .cut-name") shouldContainExactly listOf("Qualification 42", "Qualification 57")
-            }
-        }
         step("a page exported with other logs begins with them, also on a phone, and matches of one event are named by their number") {
             onPage(TestPages.ofSamples("qualification-42.bag", listOf("qualification-57.bag.gz"))) {
                 awaitLogs(2)

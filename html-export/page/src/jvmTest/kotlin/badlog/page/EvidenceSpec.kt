@@ -1,12 +1,9 @@
 package badlog.page
 
-import badlog.core.analysis.Span
-import badlog.core.bag.BagTopic
 import badlog.core.recording.Severity
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
-import badlog.rules.RulesFile
 import io.kotest.assertions.withClue
 import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.plusOrMinus
@@ -106,89 +103,52 @@ internal class EvidenceSpec : PageSpec({
                 reload()
                 script(focused) shouldBe "|search"
             }
-        }
-    }
-
-    val rules = RulesFile.parse(
-        """
-        [[rule]]
-        name = "Low"
-        severity = "error"
-        when = "Voltage < 7"
-        text = "Down to {value} at {time} ({count}×)."
-        next = "Look at the battery."
-        [[rule]]
-        name = "Worse"
-        severity = "error"
-        when = "Voltage < 2"
-        text = "Much too low."
-        """.trimIndent(),
-    ).rules
-
-    // Low at 5, 15, 25, … s, each time with a different voltage.
-    val bag by lazy {
-        bagOf(listOf(TIME, BagTopic("Voltage", "V"), BagTopic("Other", "A")), 4001) { row, column ->
-            val time = row / 10.0
-            when (column) {
-                0 -> time
-                1 -> if (row % 100 in 50..52) 1.0 + row / 100 % 5 else 12.0
-                else -> row % 7
+            step("on a screen of any width, time and match clock are readable beside modes and events") {
+                for (width in listOf(1366, 1101, 961, 900)) {
+                    show(Screen(width, 800))
+                    graph("System/Battery Voltage").scrollTo().hover(0.6)
+                    withClue("$width px") {
+                        for (readout in listOf(".cursor-readout", ".clock-readout")) {
+                            number(
+                                """
+                                const text = document.querySelector(arguments[0]).getBoundingClientRect();
+                                const room = document.querySelector('.readout').getBoundingClientRect();
+                                return text.width > 20 ? text.right - room.right : 999;
+                                """.trimIndent(),
+                                readout,
+                            ) shouldBeLessThan 1.5
+                        }
+                    }
+                }
             }
         }
     }
 
-    browserTest("evidence belongs to the visited one of two findings and to its place, and needs no topics") {
-        step("a link and N select the right one of two findings that begin together, and its address names it") {
-            val both = listOf(
-                finding("First", Severity.ERROR, "first of two", 3.0),
-                finding("Second", Severity.WARNING, "second of two", 3.0),
-            )
-            onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = both))) {
-                fun sentence() = texts("#evidence .evidence-text").first()
-                fun address() = element(".cursor-readout").getDomAttribute("href")
-                script("location.hash = '#t=3'")
-                settle()
-                sentence() shouldBe "first of two"
-                script("location.hash = '#t=3&finding=Second'")
-                await("the sentence of the other") { sentence() == "second of two" }
-                // The bar above is updated a frame later.
-                settle()
-                address() shouldBe "#t=3&finding=Second"
-                texts(".event-readout").single() shouldContain "second of two"
-                click("#close-evidence")
-                pressShift("n")
-                settle()
-                sentence() shouldBe "first of two"
-                address() shouldBe "#t=3&finding=First"
-                script("location.hash = '#t=3&finding=Gone;Topic'")
-                settle()
-                sentence() shouldBe "first of two"
-            }
-        }
-        step("each place of a finding has its own text and numbers, not those of a worse place nearby") {
-            onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
-                elements(".finding").first { "Low" in it.text }.findElement(By.cssSelector("button")).click()
-                settle()
-                texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 5 s."
-                texts("#evidence .evidence-steps .unit").single() shouldBe "1 of 40"
-                click("#evidence .evidence-next")
-                texts("#evidence .evidence-text").first() shouldBe "Down to 2 V at 15 s."
-                texts("#evidence .evidence-steps .unit").single() shouldBe "2 of 40"
-                cursor() shouldBe (15.0 plusOrMinus 0.01)
-                repeat(4) { click("#evidence .evidence-next") }
-                texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 55 s."
-                texts(".event-readout").single() shouldContain "Low: Down to 1 V at 55 s."
-                texts("#evidence .incident-next").single() shouldBe "Next: Look at the battery."
-            }
-        }
-        step("a finding without topics in the log has its sentence and no graphs") {
-            val findings = listOf(finding("Hook", Severity.ERROR, "as it said", 3.0, further = listOf(Span(8.0, 9.0))))
-            onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = findings))) {
-                press("n")
-                texts("#evidence .evidence-text").first() shouldBe "as it said"
-                elements("#evidence .graph").size shouldBe 0
-                texts("#evidence .evidence-steps .unit").single() shouldBe "1 of 2"
-            }
+    browserTest("a link and N select the right one of two findings that begin together, and its address names it") {
+        val both = listOf(
+            finding("First", Severity.ERROR, "first of two", 3.0),
+            finding("Second", Severity.WARNING, "second of two", 3.0),
+        )
+        onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = both))) {
+            fun sentence() = texts("#evidence .evidence-text").first()
+            fun address() = element(".cursor-readout").getDomAttribute("href")
+            script("location.hash = '#t=3'")
+            settle()
+            sentence() shouldBe "first of two"
+            script("location.hash = '#t=3&finding=Second'")
+            await("the sentence of the other") { sentence() == "second of two" }
+            // The bar above is updated a frame later.
+            settle()
+            address() shouldBe "#t=3&finding=Second"
+            texts(".event-readout").single() shouldContain "second of two"
+            click("#close-evidence")
+            pressShift("n")
+            settle()
+            sentence() shouldBe "first of two"
+            address() shouldBe "#t=3&finding=First"
+            script("location.hash = '#t=3&finding=Gone;Topic'")
+            settle()
+            sentence() shouldBe "first of two"
         }
     }
 })

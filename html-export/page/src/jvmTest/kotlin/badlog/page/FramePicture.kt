@@ -16,9 +16,6 @@ internal class FramePicture private constructor(private val image: BufferedImage
     /** Returns for each pixel row, from the top, the number of its pixels with the [color]. */
     fun rowsOf(color: Int): List<Int> = List(height) { y -> (0 until width).count { x -> isLike(x, y, color) } }
 
-    /** Returns the opacity at the shares [across] and [down] of the picture's size: from 0, nothing drawn, to 255. */
-    fun opacityAt(across: Double, down: Double): Int = image.getRGB((width * across).toInt(), (height * down).toInt()) ushr 24
-
     private fun isLike(x: Int, y: Int, color: Int): Boolean {
         val pixel = image.getRGB(x, y)
         if (pixel ushr 24 <= MIN_ALPHA) return false

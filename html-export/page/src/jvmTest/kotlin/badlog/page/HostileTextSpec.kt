@@ -46,48 +46,28 @@ internal class HostileTextSpec : PageSpec({
     }
 
     browserTest("hostile findings, hooks and formulas stay text") {
-        step("findings, in the list, on the graphs and in the bar") {
-            val findings = HOSTILE.mapIndexed { i, text -> finding(text, Severity.entries[i % 3], text, i.toDouble(), Double.NaN) }
-            val bag = bagOf(listOf(TIME, BagTopic("A")), HOSTILE.size) { row, _ -> row }
-            onPage(TestPages.of(bag, additions = PageAdditions(findings = findings)), script = alarm) {
-                click(".findings-more button")
-                texts(".finding-source") shouldContainAll HOSTILE
-                for (row in HOSTILE.indices) {
-                    graph("A").scrollTo().hover(row * 0.9995 / (HOSTILE.size - 1))
-                    graph("A").label shouldContain HOSTILE[row]
-                    texts(".event-readout").single() shouldContain HOSTILE[row]
-                }
-                checkTame()
+        val findings = HOSTILE.mapIndexed { i, text -> finding(text, Severity.entries[i % 3], text, i.toDouble(), Double.NaN) }
+        val line = Series(doubleArrayOf(0.0, 1.0), doubleArrayOf(0.0, 1.0))
+        val hooks = HOSTILE.map { text -> HookPart(text, text, listOf(Value(text, text)), emptyList(), listOf(PageSeries(text, text, line))) }
+        val definitions = HOSTILE + HOSTILE.map { "\"formula ${it.replace("\"", "\"\"")}\" = A * 2" }
+        val bag = bagOf(listOf(TIME, BagTopic("A")), HOSTILE.size) { row, _ -> row }
+        onPage(TestPages.of(bag, additions = PageAdditions(definitions, findings = findings, hooks = hooks)), script = alarm) {
+            click(".findings-more button")
+            texts(".finding-source") shouldContainAll HOSTILE
+            for (row in listOf(0, 3)) {
+                graph("A").scrollTo().hover(row * 0.9995 / (HOSTILE.size - 1))
+                graph("A").label shouldContain HOSTILE[row]
+                texts(".event-readout").single() shouldContain HOSTILE[row]
             }
-        }
-        step("names, values, errors and lines of hooks") {
-            val line = Series(doubleArrayOf(0.0, 1.0), doubleArrayOf(0.0, 1.0))
-            val hooks = HOSTILE.map { text ->
-                val finding = finding(text, Severity.NOTE, text, 1.0, 2.0)
-                HookPart(text, text, listOf(Value(text, text)), listOf(finding), listOf(PageSeries(text, text, line)))
-            }
-            val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
-            onPage(TestPages.of(bag, additions = PageAdditions(hooks = hooks)), script = alarm) {
-                texts(".hook .folder-name") shouldBe HOSTILE.map { "From the hook $it" }
-                texts(".hook .value-row .value-text") shouldBe HOSTILE
-                texts(".hook .origin") shouldBe HOSTILE.map { "from $it" }
-                if (elements(".problem-list").isEmpty()) click("#problems summary")
-                texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
-                for (graph in graphNames) graph(graph).scrollTo()
-                checkTame()
-            }
-        }
-        step("formulas, whether they are reported as wrong or not") {
-            val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
-            val definitions = HOSTILE + HOSTILE.map { "\"${it.replace("\"", "\"\"")}\" = A * 2" }
-            onPage(TestPages.of(bag, additions = PageAdditions(definitions)), script = alarm) {
-                graphNames.size shouldBe HOSTILE.size + 1
-                if (elements(".problem-list").isEmpty()) click("#problems summary")
-                texts(".problem-text").joinToString("\n") shouldContain HOSTILE[0]
-                press("f")
-                press(HOSTILE[0])
-                checkTame()
-            }
+            texts(".hook .folder-name") shouldBe HOSTILE.map { "From the hook $it" }
+            texts(".hook .value-row .value-text") shouldBe HOSTILE
+            texts(".hook .origin") shouldBe HOSTILE.map { "from $it" }
+            if (elements(".problem-list").isEmpty()) click("#problems summary")
+            texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
+            for (graph in graphNames) graph(graph).scrollTo()
+            press("f")
+            press(HOSTILE[0])
+            checkTame()
         }
     }
 
@@ -111,25 +91,13 @@ internal class HostileTextSpec : PageSpec({
                 checkTame()
             }
         }
-        step("the x axis, a joined graph and a derived graph") {
-            val name = HOSTILE[0].replace("/", "")
-            val topics = listOf(
-                BagTopic(name, HOSTILE[3], listOf("xaxis", "delta")),
-                BagTopic("A", "V", listOf("differentiate", "join:${HOSTILE[3]}")),
-            )
-            onPage(TestPages.of(bagOf(topics, 50) { row, _ -> row }), script = alarm) {
-                for (graph in graphNames) graph(graph).scrollTo()
-                texts(".x-title") shouldContain "$name (${HOSTILE[3]})"
-                checkTame()
-            }
-        }
         step("events and states, in the list, on the graphs and in the bar") {
             val topics = listOf(TIME, BagTopic("State"), BagTopic("A"), BagTopic("Log", attributes = listOf("log")))
             val isText = setOf(1, 3)
             val bag = bagOf(topics, HOSTILE.size + 1) { row, column -> if (column in isText) HOSTILE.getOrElse(row) { "End" } else row }
             onPage(TestPages.of(bag), script = alarm) {
                 texts(".event .finding-text") shouldContainAll HOSTILE
-                for (row in HOSTILE.indices) {
+                for (row in listOf(0, 3)) {
                     // A state and an event are read from the last sample at or before the cursor.
                     graph("State").scrollTo().hover((row + 0.1) / HOSTILE.size)
                     graph("State").value("State") shouldBe HOSTILE[row]
@@ -142,17 +110,10 @@ internal class HostileTextSpec : PageSpec({
             }
         }
         step("the name of the file") {
-            val names = listOf("<img src=x onerror=alert(1)>\"><svg onload=alert(1)>a&amp;b", "<!--<script>")
-            for (name in names.map { "$it.bag" }) {
-                onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }, name), script = alarm) {
-                    driver.title shouldBe name
-                    texts("h1").single() shouldBe name
-                    checkTame()
-                }
-            }
-        }
-        step("a header that is not a bag’s, in the report") {
-            onPage(TestPages.of("{\"topics\":[{\"name\":\"${HOSTILE[0]}\nTime,${HOSTILE[0]}\n0,1\n1,2\n"), script = alarm) {
+            val name = "<!--<script>\"><svg onload=alert(1)>a&amp;b.bag"
+            onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }, name), script = alarm) {
+                driver.title shouldBe name
+                texts("h1").single() shouldBe name
                 checkTame()
             }
         }

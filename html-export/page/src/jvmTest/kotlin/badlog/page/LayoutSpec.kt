@@ -21,7 +21,7 @@ internal class LayoutSpec : PageSpec({
         settle()
     }
 
-    browserTest("boards are stored by name, shown by a key or in the dialog, removed, and still there after a reload") {
+    browserTest("boards are stored by name, shown by a key, and still there after a reload") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             step("boards are stored by name, a key steps through them, and they are still there when the page is opened again") {
                 press("g")
@@ -42,28 +42,6 @@ internal class LayoutSpec : PageSpec({
                 click("#undo")
                 titles() shouldBe listOf("Step 2")
                 keepScreenshot("layouts")
-            }
-            startOver()
-            step("the dialog shows a stored board, removes one, and stores none without a name") {
-                click("#layouts")
-                press("  ", Keys.ENTER)
-                element("#layout-dialog").isDisplayed shouldBe true
-                press(Keys.ESCAPE)
-                script("return Object.keys(localStorage).filter(key => key.includes('layout:')).length") shouldBe 0L
-                keep("Step 1", "Power")
-                keep("Step 3", "Drive")
-                click("#layouts")
-                texts("#layout-dialog li") shouldBe listOf("Drive", "Power")
-                keepScreenshot("layout-dialog")
-                elements("#layout-dialog li button")[2].click()
-                settle()
-                titles() shouldBe listOf("Step 1")
-                click("#layouts")
-                elements("#layout-dialog li .icon-button")[0].click()
-                texts("#layout-dialog li") shouldBe listOf("Power")
-                press(Keys.ESCAPE)
-                press("g")
-                titles() shouldBe listOf("Step 1")
             }
         }
     }

@@ -154,7 +154,7 @@ internal class LiveSpec : RunningLogSpec({
                 robot.write(100)
                 await("the finding") { texts(".findings-list").any { "Low battery" in it } || texts(".incidents").any { "Low battery" in it } }
                 // It stays while the page follows.
-                repeat(5) {
+                repeat(2) {
                     robot.write(20)
                     settle()
                     (texts(".findings-list") + texts(".incidents")).joinToString() shouldContain "Low battery"
@@ -198,7 +198,7 @@ internal class LiveSpec : RunningLogSpec({
 
     browserTest("Live reports when it is too far behind an enabled robot, and ends on the field with the reason on the button") {
         val options = LogServerOptions()
-        onRunningLog("behind", options, says = listOf("ERR_")) { robot ->
+        onRunningLog("behind", options, says = listOf("ERR_"), motors = 46) { robot ->
             step("Live reports when it is too far behind an enabled robot, and continues at the newest moment once the robot is disabled") {
                 options.isEnabled = BooleanSupplier { true }
                 robot.write(5000)

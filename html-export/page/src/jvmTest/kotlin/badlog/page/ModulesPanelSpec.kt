@@ -44,18 +44,6 @@ internal class ModulesPanelSpec : PageSpec({
                 press("w")
                 element("#modules").isDisplayed shouldBe false
             }
-            step("the errors are those in the visible range, and the values at the cursor replace the modules") {
-                click("#modules-button")
-                graph("Measured[0]/speed").drag(0.25, 0.4)
-                await("the errors of the range") { element("#modules .worst").text.let { it.isNotEmpty() && it != "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°." } }
-                press("v")
-                element("#modules").isDisplayed shouldBe false
-                element("#cursor-values").isDisplayed shouldBe true
-                press("w")
-                element("#modules").isDisplayed shouldBe true
-                element("#cursor-values").isDisplayed shouldBe false
-            }
-            click("#reset")
             step("moving the cursor does not change the list, a resized picture is redrawn, and links open the modules") {
                 script("location.hash = '#open=modules'")
                 await("the errors") { texts("#modules tbody tr").size == 8 }
@@ -81,15 +69,6 @@ internal class ModulesPanelSpec : PageSpec({
                 number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
                 keepScreenshot("phone-modules")
             }
-        }
-    }
-
-    browserTest("a log without modules has no button for them, and W gives the reason") {
-        onPage(TestPages.of(stepBag(graphs = 1))) {
-            element("#modules-button").isDisplayed shouldBe false
-            press("w")
-            element("#modules").isDisplayed shouldBe false
-            texts(".notice").single().startsWith("This log has no swerve modules") shouldBe true
         }
     }
 })

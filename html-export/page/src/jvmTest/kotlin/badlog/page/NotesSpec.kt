@@ -1,35 +1,27 @@
 package badlog.page
 
-import badlog.exporter.EmptyPage
 import badlog.exporter.HtmlExporter
 import badlog.exporter.NotesFile
 import badlog.viewer.choices.note.Note
-import badlog.viewer.choices.note.NoteHistory
 import badlog.viewer.choices.note.toJson
-import badlog.viewer.choices.note.toLines
 import io.kotest.core.annotation.Tags
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.ranges.shouldBeIn
 import io.kotest.matchers.shouldBe
-import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.UUID
 
 /** Notes written in the window, on an exported page. */
 @Tags("InCheck")
 internal class NotesSpec : PageSpec({
-    fun pageOf(folder: Path, prepare: (log: Path) -> Unit): Path {
-        val log = Files.write(folder.resolve("match.bag"), stepBag(graphs = 1))
-        prepare(log)
-        return folder.resolve("match.html").also { HtmlExporter().export(log, it) }
-    }
-
-    browserTest("notes beside a log are listed, marked by a key, and searched") {
-        val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254 </script>"), Note(7.0, "second\nline")), read = emptyList()) }
+    browserTest("notes beside a log are listed, and marked by a key; those of an older badlog stay") {
+        val given = listOf(Note(3.0, "hit by 254 </script>"), Note(7.0, "second\nline"))
+        val log = Files.write(tempdir().toPath().resolve("match.bag"), stepBag(graphs = 1))
+        NotesFile.update(log, given, read = emptyList())
+        val page = log.resolveSibling("match.html").also { HtmlExporter().export(log, it) }
         onPage(page) {
             step("notes beside a log are listed with links to their moments; a key marks the cursor's moment without a dialog, and reports it") {
                 texts("#notes .finding-text") shouldBe listOf("hit by 254 </script>", "second\nline")
@@ -46,14 +38,19 @@ internal class NotesSpec : PageSpec({
                 texts(".notice p").single() shouldStartWith "Marked at 3.00"
                 element("#note-dialog").isDisplayed shouldBe false
             }
-            step("a search finds notes, and hides the others") {
-                press("/")
-                press("HIT")
-                elements("#notes .finding-text").filter { it.isDisplayed }.map { it.text } shouldBe listOf("hit by 254 </script>")
-                texts("#notes header .unit") shouldBe listOf("1 of 4 notes")
-                texts(".search-count").single() shouldBe "1 note"
-                press(Keys.ESCAPE)
-                elements("#notes .finding-text").count { it.isDisplayed } shouldBe 4
+            startOver()
+            step("notes stored by pages of an older badlog are still there, and can be removed") {
+                val (before, after) = listOf(given, listOf(Note(3.0, "changed"), Note(9.0, "added"))).map { it.toJson() }
+                script(
+                    "const key = 'badlog:notes:match.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
+                        "localStorage.setItem(key, arguments[0])",
+                    before + "\u0000" + after,
+                )
+                reload()
+                texts("#notes .finding-text") shouldBe listOf("changed", "added")
+                elements("#notes .note-row .pin").last().click()
+                reload()
+                texts("#notes .finding-text") shouldBe listOf("changed")
             }
         }
     }
@@ -63,15 +60,6 @@ internal class NotesSpec : PageSpec({
         press("m")
         press(text, Keys.ENTER)
         settle()
-    }
-
-    browserTest("a page that is dropped on a page without a log shows its notes") {
-        val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(1.0, "hit by 254")), read = emptyList()) }
-        val empty = tempdir().toPath().resolve(EmptyPage.NAME).also { EmptyPage().write(it) }
-        onPage(empty, state = "empty") {
-            drop("match.html" to Files.readAllBytes(page))
-            await("its note") { texts("#notes .finding-text") == listOf("hit by 254") }
-        }
     }
 
     browserTest("notes are written, changed and removed, and a page and its copy in one browser show each once") {
@@ -133,62 +121,6 @@ internal class NotesSpec : PageSpec({
                 // Another browser knows only the notes in the copy.
                 script("localStorage.clear()")
                 go(copy, "first", "second", "third")
-            }
-        }
-    }
-
-    /** Stores [text] for the log in the browser, under [key], as another tab does. */
-    fun OpenPage.remember(key: String, text: String) {
-        script(
-            "const key = 'badlog:' + arguments[0] + ':match.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
-                "localStorage.setItem(key, arguments[1])",
-            key,
-            text,
-        )
-    }
-
-    browserTest("notes of another tab and of an older badlog are kept, and damaged ones are reported") {
-        step("damaged notes are listed as a problem, and nothing else changes") {
-            onPage(pageOf(tempdir().toPath()) { Files.writeString(NotesFile.beginningOf(it), "{") }) {
-                element("#notes").isDisplayed shouldBe false
-                text shouldContain "notes in match.bag.notes.json are damaged"
-                graphNames shouldBe listOf("Step 1")
-            }
-        }
-        step("the changes of two tabs are merged in both, whichever tab writes last") {
-            val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(1.0, "first"), Note(2.0, "second")), read = emptyList()) }
-            onPage(page) {
-                val beginning = NoteHistory.of(listOf(Note(1.0, "first"), Note(2.0, "second")), emptyList())
-                val there = listOf(Note(2.0, "second there"), Note(9.0, "of the other tab"))
-                val changes = beginning.changesTo(there, beginning.notes, "", { "2099-01-01T00:00:00.000Z" }) { UUID.randomUUID().toString() }
-                remember("note-changes", changes.toLines())
-                graph("Step 1").click(0.5)
-                write("of this tab")
-                texts("#notes .finding-text") shouldBe listOf("second there", "of this tab", "of the other tab")
-                // It works although the clock of the other tab is ahead.
-                elements("#notes .note-row .pin")[0].click()
-                press(" and here", Keys.ENTER)
-                settle()
-                texts("#notes .finding-text") shouldBe listOf("second there and here", "of this tab", "of the other tab")
-                reload()
-                texts("#notes .finding-text") shouldBe listOf("second there and here", "of this tab", "of the other tab")
-            }
-        }
-        step("notes stored by pages of an older badlog are still there, and can be changed and removed") {
-            val beside = listOf(Note(1.0, "first"), Note(2.0, "second"), Note(4.0, "hit"))
-            val page = pageOf(tempdir().toPath()) { NotesFile.update(it, beside, read = emptyList()) }
-            onPage(page) {
-                val given = listOf(Note(1.0, "first"), Note(2.0, "second"))
-                val kept = listOf(Note(2.0, "changed"), Note(4.0, "hit by 254"), Note(9.0, "added"))
-                remember("notes", given.toJson() + "\u0000" + kept.toJson())
-                reload()
-                texts("#notes .finding-text") shouldBe listOf("changed", "hit by 254", "added")
-                elements("#notes .note-row .pin")[0].click()
-                press(" again", Keys.ENTER)
-                elements("#notes .note-row .pin").last().click()
-                settle()
-                reload()
-                texts("#notes .finding-text") shouldBe listOf("changed again", "hit by 254")
             }
         }
     }

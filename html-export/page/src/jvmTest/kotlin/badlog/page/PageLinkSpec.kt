@@ -41,14 +41,7 @@ internal class PageLinkSpec : PageSpec({
         settle()
     }
 
-    fun OpenPage.copied(): String {
-        script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}, configurable: true})")
-        click("#copy-link")
-        await("the notice") { notice() == "Link copied." }
-        return (script("return window.copied") as String).substringAfter('#', "")
-    }
-
-    browserTest("a link brings moment, range, board, formulas, search and panels to another page; a layout brings a board") {
+    browserTest("a link brings moment, range, board and formulas to another page; a layout brings a board") {
         onPage(page) {
             step("a copied link contains moment, range, board and formulas, and shows them on another page") {
                 press("f")
@@ -91,50 +84,11 @@ internal class PageLinkSpec : PageSpec({
                 graphNames shouldBe listOf("Voltage", "Current")
             }
             startOver()
-            step("a link contains the second cursor, the search, the values and the statistics, and is empty for an untouched page") {
-                copied() shouldBe ""
-                script("arguments[0].querySelector('.pin').click()", graph("Current").card)
-                script("location.hash = '#t=4&b=5.5'")
-                settle()
-                press("v")
-                script("document.querySelector('#board .statistics-toggle').click()")
-                script("const box = document.querySelector('#search'); box.value = 'curr'; box.dispatchEvent(new Event('input'))")
-                settle()
-                val link = copied()
-                link shouldBe "t=4&b=5.5&board=Current&q=curr&open=values;1"
-                startOver()
-                script("location.hash = arguments[0]", "#$link")
-                settle()
-                script("return document.querySelector('#search').value") shouldBe "curr"
-                script("return document.querySelector('#cursor-values').hidden") shouldBe false
-                script("return document.querySelector('#board .statistics-toggle').getAttribute('aria-expanded')") shouldBe "true"
-                copied() shouldBe link
-            }
-            startOver()
             step("the keyboard stays on the button that copies a link, also where a page may not use the clipboard") {
                 script("Object.defineProperty(navigator, 'clipboard', {value: null})")
                 click("#copy-link")
                 await("the notice") { notice() == "Link copied." || notice() == "Copy the link from the address bar." }
                 script("return document.activeElement.closest('#copy-link') !== null") shouldBe true
-            }
-            step("a damaged link is reported without further effect; a link of another log lists the missing topics") {
-                script("location.hash = '#t=3&board=~12'")
-                await("the notice") { notice() == "This link’s board is damaged; copy the link again." }
-                await("its moment") { texts(".cursor-readout").single() == "3.000 s" }
-                script("location.hash = '#board=Voltage;Nothing'")
-                await("the notice") { "Nothing" in notice() }
-                notice() shouldBe "1 graph hidden: topics not in this log (“Nothing”)."
-                titles() shouldBe listOf("Voltage")
-            }
-            step("a formula of a link is skipped with a notice if its name is in use") {
-                press("f")
-                press("Power [W] = Voltage * Current", Keys.ENTER)
-                await("the formula’s graph") { "Power" in graphNames }
-                script("location.hash = '#f=' + 'Power = Voltage * 2'.replaceAll(' ', '+').replace('=', '~003d').replace('*', '~002a')")
-                await("the notice") { "Skipped “Power = Voltage * 2”" in notice() }
-                script("location.hash = '#f=' + 'Power [W] = Voltage * Current'.replaceAll(' ', '+').replace('=', '~003d')")
-                settle()
-                graphNames.count { it == "Power" } shouldBe 1
             }
             startOver()
             step("a layout is saved, and applied when it is dropped on the page") {
@@ -176,9 +130,6 @@ internal class PageLinkSpec : PageSpec({
             click("#clear-board")
             reload()
             titles() shouldBe emptyList()
-        }
-        onPage(TestPages.of(bag, additions = PageAdditions(layout = "{"))) {
-            texts(".problem-text").single() shouldContain "The layout of this page is not a layout, or is damaged"
         }
     }
 })

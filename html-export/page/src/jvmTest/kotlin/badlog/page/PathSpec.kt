@@ -1,12 +1,9 @@
 package badlog.page
 
-import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
 import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContainExactly
-import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
-import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
@@ -16,12 +13,12 @@ import java.io.ByteArrayOutputStream
 import java.util.Base64
 import javax.imageio.ImageIO
 
-/** The paths of robots, and topics over topics. */
+/** The paths of robots. */
 @Tags("InCheck")
 internal class PathSpec : PageSpec({
     val page by lazy { TestPages.ofSample("wrong-turn.bag") }
 
-    browserTest("a path is drawn with the robot at the cursor, zoomed, pinned, compared at two places, hidden and linked") {
+    browserTest("a path is drawn with the robot at the cursor, zoomed and pinned") {
         onPage(page) {
             step("a log with poses begins with its path, driven and planned, and the robot at the cursor") {
                 for (screen in listOf(Screen.PHONE, Screen.WIDE)) {
@@ -71,96 +68,30 @@ internal class PathSpec : PageSpec({
                 doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
                 picture() shouldBe before
             }
-            press(Keys.ESCAPE, Keys.ESCAPE, Keys.ESCAPE)
-            step("Shift+click on the path sets the second cursor with a ring, and the legend has both places") {
-                val (x, y, width, height) = pathBox()
-                fun at(share: Double) = (x + width * share).toInt() to (y + height * 0.45).toInt()
-                at(0.47).let { (toX, toY) -> act { mouseTo(toX, toY).mouseDown().mouseUp() } }
-                val one = pathPixels(0, layer = 1)
-                at(0.3).let { (toX, toY) -> act { keyDown(Keys.SHIFT).mouseTo(toX, toY).mouseDown().mouseUp().keyUp(Keys.SHIFT) } }
-                texts(".second-readout").single() shouldContain "B "
-                texts("#board .legend-entry .value").first() shouldContain " → "
-                pathPixels(0, layer = 1) shouldBeGreaterThan one
-            }
-            press(Keys.ESCAPE, Keys.ESCAPE, Keys.ESCAPE)
-            step("a click in the legend hides a trace, which is remembered") {
-                // The wall of the red alliance has nearly the same color.
-                val planned = pathPixels(1)
-                elements("#board .legend-entry")[1].click()
-                settle()
-                pathPixels(1) shouldBeLessThan planned - 150
-                reload()
-                pathPixels(1) shouldBeLessThan planned - 150
-            }
-            step("the visible part of a path and its origin are in the link, and a double click shows everything") {
-                fun picture() = script("return document.querySelector('.xy').toDataURL()")
-                val whole = picture()
-                script("location.hash = '#board=Drive/Pose+X,Drive/Pose+Y,y=3:5,p=,w=2:6'")
-                reload()
-                val zoomed = picture()
-                zoomed shouldNotBe whole
-                click("#board .graph-menu")
-                elements("#board .menu button").first { "Red origin" in it.text }.click()
-                settle()
-                val flipped = picture()
-                flipped shouldNotBe zoomed
-                val (x, y, width, height) = pathBox()
-                doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
-                picture() shouldNotBe flipped
-                keepScreenshot("path-red-origin")
-            }
         }
     }
 
-    browserTest("a path is drawn over the picture of a field and above states, and two topics are drawn over each other") {
-        step("the picture of the field is behind the path, in the size given by its corners") {
-            val picture = ByteArrayOutputStream().also { out ->
-                // Nothing else on the page has this green.
-                val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
-                for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
-                ImageIO.write(image, "png", out)
-            }.toByteArray()
-            val source = "data:image/png;base64," + Base64.getEncoder().encodeToString(picture)
-            val field = "{\"field-image\":\"$source\",\"field-corners\":{\"top-left\":[0,0],\"bottom-right\":[200,100]},\"field-size\":[16.5,8],\"field-unit\":\"meter\"}"
-            onPage(TestPages.ofSample("wrong-turn.bag", PageAdditions(field = field))) {
-                fun greenShare() = number(
-                    """
-                    const canvas = document.querySelector('.xy')
-                    const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
-                    let green = 0
-                    for (let i = 0; i < data.length; i += 4) if (data[i + 1] > 200 && data[i] < 60 && data[i + 2] < 60) green++
-                    return green / canvas.width / canvas.height
-                    """.trimIndent(),
-                )
-                await("the picture") { greenShare() > 0.4 }
-                keepScreenshot("path-picture")
-            }
-        }
-        step("a graph with a path and states draws the path once, and the states as lanes") {
-            val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Mode"))
-            val log = bagOf(topics, rows = 101) { row, column -> if (column == 3) if (row < 50) "drive" else "climb" else row / 10.0 }
-            onPage(TestPages.of(log)) {
-                script("location.hash = '#board=Pose+X,Pose+Y,Mode,p='")
-                reload()
-                texts("#board .graph-title").size shouldBe 2
-                // The cursors have their own canvas.
-                elements("#board .xy").size shouldBe 2
-                elements("#board [data-kind='states'] .plot-frame").size shouldBe 1
-            }
-        }
-        step("the menu draws two topics of the board over each other") {
-            onPage(TestPages.ofSample("qualification-42.bag")) {
-                script("location.hash = '#board=PDP/Total+Current,System/Battery+Voltage,p='")
-                reload()
-                texts("#board .graph-title") shouldContainExactly listOf("Total Current")
-                pathPixels(0) shouldBeGreaterThan 500
-                keepScreenshot("resistance")
-                click("#board .graph-menu")
-                elements("#board .menu button").first { "XY plot" in it.text }.click()
-                settle()
-                elements(".xy").size shouldBe 0
-                number("return document.querySelectorAll('#board canvas').length") shouldBeLessThan 2.5
-            }
+    browserTest("the picture of the field is behind the path, in the size given by its corners") {
+        val picture = ByteArrayOutputStream().also { out ->
+            // Nothing else on the page has this green.
+            val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
+            for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
+            ImageIO.write(image, "png", out)
+        }.toByteArray()
+        val source = "data:image/png;base64," + Base64.getEncoder().encodeToString(picture)
+        val field = "{\"field-image\":\"$source\",\"field-corners\":{\"top-left\":[0,0],\"bottom-right\":[200,100]},\"field-size\":[16.5,8],\"field-unit\":\"meter\"}"
+        onPage(TestPages.ofSample("wrong-turn.bag", PageAdditions(field = field))) {
+            fun greenShare() = number(
+                """
+                const canvas = document.querySelector('.xy')
+                const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
+                let green = 0
+                for (let i = 0; i < data.length; i += 4) if (data[i + 1] > 200 && data[i] < 60 && data[i + 2] < 60) green++
+                return green / canvas.width / canvas.height
+                """.trimIndent(),
+            )
+            await("the picture") { greenShare() > 0.4 }
+            keepScreenshot("path-picture")
         }
     }
 })

@@ -12,7 +12,6 @@ import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
-import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.interactions.PointerInput
 import org.openqa.selenium.interactions.PointerInput.Kind
@@ -155,21 +154,6 @@ internal class PhoneSpec : PageSpec({
                 graph("Step 1").value("Step 1") shouldBe "1"
                 elements(".finding-label").any { it.isDisplayed } shouldBe true
                 number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
-            }
-        }
-        step("two fingers zoom a path, and a double tap shows all of it") {
-            onPage(TestPages.ofSample("wrong-turn.bag"), Screen.PHONE) {
-                script("document.querySelector('.xy').scrollIntoView({block: 'center', behavior: 'instant'})")
-                settle()
-                val corner = "const b = document.querySelector('.xy').getBoundingClientRect(); return"
-                val (x, y) = number("$corner b.x + b.width / 2").toInt() to number("$corner b.y + b.height / 2").toInt()
-                fun picture() = script("return document.querySelector('.xy').toDataURL()")
-                val before = picture()
-                touch(between(x - 20 to y, x - 90 to y), between(x + 20 to y, x + 90 to y))
-                picture() shouldNotBe before
-                elements(".cursor-line.is-pinned").filter { it.isDisplayed }.size shouldBe 0
-                taps(List(2) { x to y }, pause = 0.1)
-                picture() shouldBe before
             }
         }
     }

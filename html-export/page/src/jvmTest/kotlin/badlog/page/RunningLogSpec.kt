@@ -60,9 +60,10 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
         options: LogServerOptions = LogServerOptions(),
         screen: Screen = Screen.WIDE,
         says: List<String> = emptyList(),
+        motors: Int = 4,
         test: OpenPage.(WritingRobot) -> Unit,
     ) {
-        val robot = WritingRobot(logs(name) / "running.bag").apply { write(500) }
+        val robot = WritingRobot(logs(name) / "running.bag", motors).apply { write(500) }
         onLogIn(robot.file.parent, options, screen, says) { test(robot) }
     }
 

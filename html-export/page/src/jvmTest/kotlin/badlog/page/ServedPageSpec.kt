@@ -80,7 +80,7 @@ internal class ServedPageSpec : PageSpec({
                     listedLogs.last() shouldBe "bench.bag"
                     texts(".log-tools [role=status]").single() shouldBe "4 logs"
                     elements(".log-table img").size shouldBe 0
-                    for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
+                    for (screen in listOf(Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
                         show(screen)
                         seriousForReaders() shouldBe emptyList()
                         (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true

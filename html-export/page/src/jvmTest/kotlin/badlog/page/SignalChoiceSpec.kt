@@ -60,17 +60,6 @@ internal class SignalChoiceSpec : PageSpec({
                 rulesFound() shouldNotContain "The battery voltage dropped"
                 elements(".signals-chosen").isEmpty() shouldBe true
             }
-            step("the dialog lists the log's topics, and refuses with a reason a topic that cannot be the signal, or is not a topic") {
-                awaitRules()
-                click(".findings-skipped summary")
-                say("battery", "Arm")
-                texts(".notice p").single() shouldBe "“Arm” cannot be “battery”, which is a number in V; choose another topic."
-                keepScreenshot("signal-refused")
-                elements("datalist option").map { it.getAttribute("value") } shouldContain "Power/My Volts"
-                say("battery", "Volts")
-                texts(".notice p").single() shouldBe "“Volts” is not a topic of this log; choose another one."
-                elements(".signals-chosen").isEmpty() shouldBe true
-            }
             step("assignments are saved as the file for the folder of logs, and in a copy of the page") {
                 awaitRules()
                 say("battery", "Power/My Volts")
@@ -89,20 +78,6 @@ internal class SignalChoiceSpec : PageSpec({
                 }
                 copy.deleteExisting()
             }
-        }
-    }
-
-    browserTest("an assignment that another tab removed does not come back with the next one") {
-        val two = bagOf(listOf(TIME, BagTopic("Power/My Volts", "V"), BagTopic("Lap", "ms")), rows = 60) { row, _ -> row / 10.0 }
-        onPage(TestPages.of(two, additions = additions)) {
-            awaitRules()
-            say("battery", "Power/My Volts")
-            awaitRules()
-            // Like another tab that removes this assignment and adds another one.
-            script("localStorage.setItem('badlog:signals', 'total current\\0Amps')")
-            say("loop time", "Lap")
-            val stored = script("return localStorage.getItem('badlog:signals')").toString()
-            stored.split('\u0000').chunked(2).map { it[0] } shouldBe listOf("total current", "loop time")
         }
     }
 })

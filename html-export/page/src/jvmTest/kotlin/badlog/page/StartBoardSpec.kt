@@ -1,8 +1,5 @@
 package badlog.page
 
-import badlog.protocol.PageAdditions
-import badlog.rules.BUILT_IN
-import badlog.rules.RuleSet
 import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
@@ -12,8 +9,6 @@ import org.openqa.selenium.Keys
 /** Tests the board with which a log begins, and when a change to it takes effect. */
 @Tags("InCheck")
 internal class StartBoardSpec : PageSpec({
-    fun OpenPage.titles() = texts("#board .graph-title")
-
     browserTest("a board keeps the changes of two tabs, and the start board can be restored") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             step("a board keeps the changes of two tabs, also after this tab's undo, and a graph that this tab cannot draw") {
@@ -55,18 +50,6 @@ internal class StartBoardSpec : PageSpec({
                 click("#undo")
                 texts(".board .graph-title") shouldBe own
             }
-        }
-    }
-
-    browserTest("a match begins with a board of the usual graphs and the topics of its findings, unless the reader has emptied it") {
-        onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
-            settle()
-            keepScreenshot("board-first")
-            titles().take(3) shouldBe listOf("Battery and current", "System: Enabled, Autonomous…", "Loop Time")
-            elements("#board .legend-entry").mapNotNull { it.getDomAttribute("data-series") } shouldContain "Left Output"
-            click("#clear-board")
-            reload()
-            titles() shouldBe emptyList()
         }
     }
 })

@@ -48,12 +48,6 @@ internal class UnusualFilesSpec : PageSpec({
                 text shouldContain "A"
             }
             leave()
-            step("a file with a header and titles, but no row, is reported, and its graphs have no data") {
-                open("$HEADER\nTime,A\n")
-                problems() shouldContain "no row of samples"
-                texts(".plot") shouldContain "No data"
-            }
-            leave()
             step("a file with one row shows its value, and no range") {
                 open("$HEADER\nTime,A\n5.0,3.0\n")
                 graph("A").scrollTo().hover(0.5)
@@ -85,30 +79,6 @@ internal class UnusualFilesSpec : PageSpec({
                 graph("One").pixelsOfLine(0) shouldBeGreaterThan 0
             }
             leave()
-            step("a log whose clock goes backwards is reported and drawn, and its values can be read") {
-                val rows = (0..50).joinToString("") { "${100 + it},1\n" } + (0..50).joinToString("") { "$it,2\n" }
-                open("$HEADER\nTime,A\n$rows")
-                problems() shouldContain "goes backwards"
-                val graph = graph("A").scrollTo()
-                graph.pixelsOfLine(0) shouldBeGreaterThan 0
-                graph.hover(0.1)
-                graph.value("A") shouldBe "2"
-                graph.hover(0.9)
-                graph.value("A") shouldBe "1"
-                graph.drag(0.2, 0.6)
-            }
-            leave()
-            step("a sparse CSV file has each column's values at their own rows, and two columns of one name are two graphs") {
-                val csv = "Timestamp,A,A,Mode\n" + (0 until 300).joinToString("") { row ->
-                    val a = if (row % 10 == 0) "$row" else ""
-                    val b = if (row % 100 == 5) "$row" else ""
-                    "$row,$a,$b,${if (row == 150) "auto" else ""}\n"
-                }
-                open(csv, "sparse.csv")
-                graph("A").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
-                graph("A (2)").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
-            }
-            leave()
             step("names of 500 letters do not make the page wider than the window") {
                 val long = "Very".repeat(125)
                 val joined = BagTopic("A", attributes = listOf("join:$long B"))
@@ -120,28 +90,6 @@ internal class UnusualFilesSpec : PageSpec({
                     show(screen)
                     number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
                 }
-            }
-        }
-    }
-
-    browserTest("an exported file without bytes is reported, and 300 topics in 20 folders are opened") {
-        step("an exported file without bytes is reported") {
-            onPage(TestPages.of("")) { problems() shouldContain "The file is empty" }
-        }
-        step("300 topics in 20 folders open, the first ones as graphs, and only those near the screen are drawn") {
-            val topics = listOf(TIME) + List(300) { BagTopic("Folder ${it % 20}/Topic $it", "V") }
-            onPage(TestPages.of(bagOf(topics, 200) { row, column -> row * column })) {
-                elements(".folder .graph").size shouldBe 36
-                elements(".folder").size shouldBe 20
-                val drawn = elements("canvas").size
-                drawn shouldBeGreaterThan 2
-                (drawn < 20) shouldBe true
-                click("#search")
-                press("topic 297")
-                settle()
-                graph("Folder 17/Topic 297").scrollTo().hover(0.999)
-                graph("Folder 17/Topic 297").value("Topic 297").toInt() shouldBe 199 * 298
-                elements("canvas").size.let { it < 20 } shouldBe true
             }
         }
     }

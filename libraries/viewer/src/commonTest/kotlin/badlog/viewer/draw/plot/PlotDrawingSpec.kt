@@ -14,11 +14,14 @@ import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.draw.lane.LaneBlocks
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.draw.mark.ModeSpan
 import badlog.viewer.draw.mark.ModeTimeline
+import badlog.viewer.draw.mark.RobotMode
 import badlog.viewer.draw.pen.SvgPen
 import badlog.viewer.shown.cursor.Cursors
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldStartWith
 
 /** The text of a drawn plot, primitive by primitive, with letters of a fixed width. */
 class PlotDrawingSpec : FunSpec({
@@ -72,6 +75,22 @@ class PlotDrawingSpec : FunSpec({
             """<text x="57" y="34.85" font-size="11" text-anchor="end" fill="#596477">Inta…oyed""",
             """<text x="57" y="84.85" font-size="11" text-anchor="end" fill="#596477">Hidden""",
         )
+    }
+
+    test("an area is filled between its line and 0") {
+        val limits = Span(-1.0, 1.0)
+        val plot = Plot(listOf(PlotAxis(AxisSide.LEFT, "V", limits, color = null)), listOf(line(0, 0, limits, 1.0, 0.5, 1.0)), emptyList(), 0.0, isFilled = true)
+        drawn { drawPlot(frame, plot, noMarks, colors, 0.0) }.single { "fill-opacity" in it } shouldBe
+            """<path d="M62 6L162 31L262 6L262 56L62 56z" fill="#0b62c4" fill-opacity="0.19" clip-path="url(#cut1)"/>"""
+    }
+
+    test("the robot’s modes are shaded below lines and above lanes, which would hide them") {
+        val marks = PlotMarks(ModeTimeline(listOf(ModeSpan(Span(0.0, 5.0), RobotMode.TELEOP)), 1.0), EventTimeline.NONE, findings = null, notes = emptyList())
+        val limits = Span(0.0, 2.0)
+        val lines = Plot(listOf(PlotAxis(AxisSide.LEFT, "V", limits, color = null)), listOf(line(0, 0, limits, 1.0, 2.0)), emptyList(), 0.0)
+        val lanes = Plot(emptyList(), emptyList(), listOf(PlotLane("Intake", listOf("a"), null)), laneShare = 1.0)
+        drawn { drawPlot(frame, lines, marks, colors, 0.0) }.first() shouldStartWith """<path d="M62 6h100v100h-100z" fill="""
+        drawn { drawPlot(frame, lanes, marks, colors, 0.0) }.last() shouldStartWith """<path d="M62 6h100v100h-100z" fill="""
     }
 
     test("an event has a head and a line, or in a crowd a tick, and an error keeps both, with a stronger line") {
