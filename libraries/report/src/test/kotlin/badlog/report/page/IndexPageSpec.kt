@@ -60,6 +60,9 @@ class IndexPageSpec : FunSpec({
         page.texts(".overview .first a").first() shouldBe "The robot drew more than its battery gives"
         val severities = page.texts("#log-2 .findings .severity")
         severities shouldBe severities.sortedBy { listOf("error", "warning", "note").indexOf(it) }
+        page.show(Screen.PHONE)
+        page.elements(".overview .first a").first().isDisplayed shouldBe true
+        page.number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
     }, page = samples)
 
     browserTest("axe-core finds nothing serious, on any screen, light and dark", { page ->
