@@ -20,7 +20,7 @@ import org.openqa.selenium.interactions.Actions;
 /**
  * Measures exported pages in headless Chromium. Times: from opening to the first graphs, and until a zoom by mouse has reached all graphs
  * on screen. Memory: of JavaScript at the first graphs. The zoom is also measured with ten graphs on the board, and with the processor
- * slowed down six times, to about a phone's speed.
+ * slowed down six times, to about a phone's speed. Of a list of logs, the longest tasks.
  *
  * <p>Arguments: the program that exports, the folder to work in, the file for the results, and a folder of bags or nothing. Needs {@code
  * chromium} and {@code chromedriver} on the PATH.
@@ -55,6 +55,8 @@ public final class PageBenchmark {
         lines.add("|---|---|---|---|");
         lines.addAll(PathOnPage.measure(args[0], work));
         export(args[0], "--empty", "--out", work + "/");
+        lines.add("");
+        lines.addAll(ListOnPage.measure(work.resolve("badlog.html"), work));
         lines.add("");
         lines.add("`badlog.html`, which opens any log, has " + Files.size(work.resolve("badlog.html")) + " bytes.");
         Files.write(Path.of(args[2]), lines);

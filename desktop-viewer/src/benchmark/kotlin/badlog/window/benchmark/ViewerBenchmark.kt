@@ -16,8 +16,9 @@ fun main(args: Array<String>) {
     val frames = measureFrames(pictures)
     val openings = if (bags.isEmpty()) emptyList() else openingsOf(Path.of(bags), pictures)
     val blocks = measureChoiceBlocks()
+    val list = measureListBlocks(pictures.resolve("list.png"))
     val live = measureLiveFrames()
-    val text = reportOf(frames, paths, blocks, live, openings)
+    val text = reportOf(frames, paths, blocks, list, live, openings)
     Files.writeString(report, text)
     println(text)
     println("Written to $report")
@@ -33,6 +34,7 @@ private fun reportOf(
     frames: List<FrameTimes>,
     paths: List<FrameTimes>,
     blocks: List<FrameTimes>,
+    list: List<FrameTimes>,
     live: List<FrameTimes>,
     openings: List<Pair<Path, List<Opening>>>,
 ): String = buildString {
@@ -59,6 +61,10 @@ private fun reportOf(
     appendLine("For how long the window's thread is busy at most without a break, from a choice to the picture of its result.")
     appendLine()
     appendTimes(blocks)
+    appendLine()
+    appendLine("## The longest block in a table of 1,000 logs")
+    appendLine()
+    appendTimes(list)
     appendLine()
     appendLine("## Live: from the disk to the picture")
     appendLine()
