@@ -5,6 +5,8 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.hoverable
 import androidx.compose.foundation.interaction.MutableInteractionSource
 import androidx.compose.foundation.interaction.collectIsHoveredAsState
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -38,13 +40,14 @@ import badlog.window.findings.findingColor
 import badlog.window.panel.CellView
 import badlog.window.panel.CheckView
 import badlog.window.panel.PreviewCurve
+import badlog.window.panel.ShareBar
 import badlog.window.panel.rowColor
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameCut
 import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 
-/** Shows [row] of [table] in a narrow list: its title, facts, what happened, a preview, and the files of a match with several. */
+/** Shows [row] of [table] in a narrow list: its title, what happened, facts, a preview, and the files of a match with several. */
 @Composable
 internal fun LogCard(row: TableRow, table: Table, isOpen: Boolean, isSelected: Boolean, send: (Action) -> Unit) {
     val palette = LocalPalette.current
@@ -73,9 +76,12 @@ internal fun LogCard(row: TableRow, table: Table, isOpen: Boolean, isSelected: B
         Column(Modifier.weight(1f).padding(top = 6.dp, bottom = 6.dp, end = 12.dp)) {
             val color = if (row.isMuted) palette.muted else palette.text
             for (title in of(LogColumn.MATCH)) NameText(title.text, color = color, fontWeight = FontWeight.SemiBold, cut = NameCut.FILE)
-            Tip(row.key) { Facts(facts) }
             for (cell in of(LogColumn.FINDINGS)) {
-                CellView(cell, row.name, palette.muted, FontWeight.Normal, isHovered, send)
+                CellView(cell, row.name, color, FontWeight.Normal, isHovered, send)
+            }
+            Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+                Box(Modifier.weight(1f, fill = false)) { Tip(row.key) { Facts(facts) } }
+                for (cell in of(LogColumn.BATTERY)) ShareBar(cell)
             }
             for (cell in cells[PREVIEW].orEmpty()) {
                 cell.preview?.let {

@@ -36,6 +36,8 @@ import badlog.viewer.text.word
 import badlog.window.findings.findingColor
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
 import badlog.window.theme.Palette
 import badlog.window.theme.Tip
 
@@ -72,12 +74,23 @@ internal fun CellView(
                 Icon(if (isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
             }
             val severity = cell.severity
-            val share = cell.share
-            if (share != null) ShareBar(share, severity?.let(palette::findingColor) ?: palette.muted)
-            if (severity != null && share == null) SeverityWord(severity)
+            ShareBar(cell)
+            if (severity != null && cell.share == null) SeverityWord(severity)
             cell.preview?.let { PreviewCurve(it, palette.accent, Modifier.fillMaxWidth().height(20.dp)) }
             val decoration = TextDecoration.Underline.takeIf { isHovered && open != null }
-            Text(cell.text, color = color, fontWeight = weight, maxLines = 1, textDecoration = decoration, overflow = TextOverflow.Ellipsis)
+            // Of names, the beginning and the end matter; of sentences, the beginning.
+            if (cell.open != null && severity == null) {
+                NameText(cell.text, Modifier, color, fontWeight = weight, textDecoration = decoration, cut = NameCut.FILE)
+            } else {
+                Text(
+                    cell.text,
+                    color = color,
+                    fontWeight = weight,
+                    maxLines = 1,
+                    textDecoration = decoration,
+                    overflow = TextOverflow.Ellipsis,
+                )
+            }
         }
     }
     // The link is outside the tooltip, because a click may begin before the tooltip appears.
@@ -101,10 +114,14 @@ private fun SeverityWord(severity: Severity) {
     }
 }
 
+/** The bar of [cell], if it has one. */
 @Composable
-private fun ShareBar(share: Double, color: Color) {
+internal fun ShareBar(cell: Cell) {
+    val share = cell.share ?: return
+    val palette = LocalPalette.current
+    val color = cell.severity?.let(palette::findingColor) ?: palette.muted
     val shape = RoundedCornerShape(3.dp)
-    Box(Modifier.width(48.dp).height(6.dp).background(LocalPalette.current.raised, shape)) {
+    Box(Modifier.width(48.dp).height(6.dp).background(palette.raised, shape)) {
         Box(Modifier.width((48 * share).dp).height(6.dp).background(color, shape))
     }
 }

@@ -81,13 +81,14 @@ internal fun WideTableView(
 ) {
     val sideways = rememberScrollState()
     BoxWithConstraints(Modifier.fillMaxSize()) {
-        val widths = remember(table, maxWidth) { widthsOf(table, maxWidth) }
+        val fitting = remember(table, maxWidth) { if (widthOf(table) > maxWidth) table.withoutMinor() else table }
+        val widths = remember(fitting, maxWidth) { widthsOf(fitting, maxWidth) }
         Column(Modifier.fillMaxSize().horizontalScroll(sideways).width(widths.checks + widths.columns.reduce(Dp::plus))) {
-            TableHead(table, widths, send)
+            TableHead(fitting, widths, send)
             HorizontalDivider()
             LazyColumn(Modifier.weight(1f).padding(bottom = 8.dp), list) {
-                rows(table) { row ->
-                    RowOfCells(row, table, widths, row.key == open, row.key == selected, onSelect?.let { { it(row) } }, send)
+                rows(fitting) { row ->
+                    RowOfCells(row, fitting, widths, row.key == open, row.key == selected, onSelect?.let { { it(row) } }, send)
                 }
             }
         }
@@ -107,20 +108,33 @@ internal fun LazyListScope.rows(table: Table, row: @Composable (TableRow) -> Uni
 /** The widths of the check boxes, and of each column. */
 private class TableWidths(val checks: Dp, val columns: List<Dp>)
 
-/** Returns the widths in [table], in the width [available]: enough for the texts of its columns, and in proportion for the rest. */
+/**
+ * Returns the widths in [table], in the width [available]. More room is shared in proportion; if there is less, long texts are cut.
+ */
 private fun widthsOf(table: Table, available: Dp): TableWidths {
+    val checks = checksOf(table)
+    val room = (available - checks).value
+    val needed = neededBy(table)
+    val excess = needed.sum() - room
+    if (excess <= 0) return TableWidths(checks, needed.map { (it * room / needed.sum()).dp })
+    val spare = needed.map { maxOf(0f, it - FEW_LETTERS * LETTER) }
+    val cut = minOf(1f, excess / spare.sum())
+    return TableWidths(checks, needed.zip(spare) { width, part -> (width - part * cut).dp })
+}
+
+private fun widthOf(table: Table): Dp = checksOf(table) + neededBy(table).sum().dp
+
+private fun checksOf(table: Table): Dp = if (table.rows.any { it.checks.isNotEmpty() }) 34.dp else 0.dp
+
+/** Returns the width of each column of [table] that has room for its texts, in dp. */
+private fun neededBy(table: Table): List<Float> {
     val rows = table.rows
-    val checks = if (rows.any { it.checks.isNotEmpty() }) CHECKS else 0.dp
-    val needed = table.columns.mapIndexed { i, column ->
+    return table.columns.mapIndexed { i, column ->
         val letters = rows.maxOfOrNull { row -> row.cells[i].maxOfOrNull(::lettersOf) ?: 0 } ?: 0
         maxOf(column.title.lines().maxOf { it.length } + 2, letters.coerceAtMost(MAX_LETTERS)) * (if (column.isNumber) DIGIT else LETTER) +
             2 * GAP
     }
-    val share = maxOf(1f, (available - checks).value / needed.sum())
-    return TableWidths(checks, needed.map { (it * share).dp })
 }
-
-private val CHECKS: Dp = 34.dp
 
 private fun lettersOf(cell: Cell) = cell.text.length + when {
     cell.preview != null -> PREVIEW_LETTERS
@@ -273,6 +287,9 @@ private const val GAP = 8
 
 /** The maximum number of letters in a column, unless there is room for more. */
 private const val MAX_LETTERS = 44
+
+/** The number of letters that remain of a text when there is no room. */
+private const val FEW_LETTERS = 24
 
 private const val PREVIEW_LETTERS = 18
 private const val MARK_LETTERS = 10

@@ -45,7 +45,7 @@ internal class HostileFolderSpec : PageSpec({
             onPage(page, state = "empty", script = waiting) {
                 choose(many)
                 status() shouldMatch Regex("0 of 3.?000 logs read")
-                listedLogs.size shouldBe 300
+                (listedLogs.size < 150) shouldBe true
                 element("#search").sendKeys("practice-2999")
                 await("the one") { listedLogs == listOf("practice-2999.bag") }
                 script("for (const work of held) work(); held = null")

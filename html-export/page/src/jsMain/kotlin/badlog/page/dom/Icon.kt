@@ -55,7 +55,8 @@ internal enum class Icon(private val path: String) {
     /** Returns a new picture of this icon, in the color of the text around it. */
     fun draw(): Element = picture.cloneNode(true).unsafeCast<Element>()
 
-    private companion object {
+    companion object {
+        /** The namespace of pictures. */
         const val SVG = "http://www.w3.org/2000/svg"
     }
 }

@@ -17,6 +17,7 @@ import badlog.rules.toJson
 import badlog.viewer.input.ScreenKey
 import badlog.viewer.panel.folder.batteriesPanel
 import badlog.viewer.panel.folder.logTable
+import badlog.viewer.panel.folder.withPreviews
 import badlog.viewer.shown.battery.BatteryAdvice
 import badlog.viewer.shown.battery.BatterySeason
 import badlog.viewer.shown.folder.Arrivals
@@ -37,6 +38,7 @@ import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.HTMLSelectElement
 import org.w3c.dom.asList
 import org.w3c.dom.events.KeyboardEvent
+import kotlin.math.min
 
 /**
  * The list of a folder's logs. It shows the facts in their names at once, and other facts as the logs are read.
@@ -67,6 +69,10 @@ internal class FolderScreen(
     private val statistics = LogStatistics()
     private val batteries = element("section", "entries battery-table card") { setAttribute("aria-label", "Batteries") }
     private var unfolded = emptyMap<String, Boolean>()
+    private var seasons = emptyList<BatterySeason>()
+
+    /** The logs in [seasons]. */
+    private var inSeasons = emptyList<OpenedLog>()
     private var timer = 0
     private var isShown = false
     private var isCacheRead = false
@@ -96,7 +102,7 @@ internal class FolderScreen(
     private val nodes = PartNodes(Palette(), ::act)
     private val pit = PitView(nodes)
     private val table = element("div", "entries log-table card")
-    private var limit = PAGE
+    private var limit = page
 
     val element: HTMLElement = element("div", "start folder-logs") {
         addButton("skip", "Skip to the logs") { listing.visible.firstOrNull()?.let(::focus) }
@@ -119,16 +125,13 @@ internal class FolderScreen(
             }
             compare = addButton("", "Compare", "Draw the checked logs over each other") { compareChecked() }
             compare.id = "compare-logs"
-            addBox("hide-empty", "Hide idle logs") { list(listing.copy(hidesEmpty = it)) }
-            addBox("only-errors", "Only logs with an error") { list(listing.copy(onlyErrors = it)) }
-            add("label", "sort", "Sort by ") { addOrders() }
+            addBox("hide-empty", "Hide idle") { choose(listing.copy(hidesEmpty = it)) }
+            addBox("only-errors", "Only errors") { choose(listing.copy(onlyErrors = it)) }
+            addOrders()
             progress = add("p", "unit") { setAttribute("role", "status") }
         }
         appendChild(table)
-        more = addButton("more", "") {
-            limit += PAGE
-            show()
-        }
+        more = addButton("more", "", onClick = ::showMore)
         nothing = add("p", "nothing-found")
         appendChild(statistics.element)
         appendChild(batteries)
@@ -170,6 +173,9 @@ internal class FolderScreen(
         if (isCacheRead) reading.start()
         PageEvents.on(document, "keydown") {
             if (it.unsafeCast<KeyboardEvent>().screenKey == ScreenKey.PIT) togglePit()
+        }
+        PageEvents.on(window, "scroll") {
+            if (!more.isHidden && more.getBoundingClientRect().top < 2 * window.innerHeight) showMore()
         }
     }
 
@@ -229,17 +235,18 @@ internal class FolderScreen(
         input.type = "search"
         input.placeholder = "Search matches, findings, files"
         input.setAttribute("aria-label", "Search logs")
-        input.addEventListener("input", { list(listing.copy(filter = input.value)) })
+        input.addEventListener("input", { choose(listing.copy(filter = input.value)) })
     }
 
     /** Adds the choice of an order, for screens without the table's titles. */
     private fun HTMLElement.addOrders() {
-        orders = add("select") {
+        orders = add("select", "sort") {
+            setAttribute("aria-label", "Sort by")
             for (column in LogColumn.entries) for (arrow in "↓↑") add("option", "", "${column.title} $arrow")
         }.unsafeCast<HTMLSelectElement>()
         orders.onchange = {
             val chosen = orders.selectedIndex
-            list(listing.copy(column = LogColumn.entries[chosen / 2], isDescending = chosen % 2 == 0))
+            choose(listing.copy(column = LogColumn.entries[chosen / 2], isDescending = chosen % 2 == 0))
         }
     }
 
@@ -334,9 +341,21 @@ internal class FolderScreen(
         show()
     }
 
+    /** Lists the logs as a person wants them, from the first one. */
+    private fun choose(changed: Listing<OpenedLog>) {
+        limit = page
+        list(changed)
+        window.scrollBy(0.0, min(0.0, table.getBoundingClientRect().top))
+    }
+
+    private fun showMore() {
+        limit += page
+        show()
+    }
+
     private fun act(action: Action) {
         when (action) {
-            is FolderAction.Sort -> listing = listing.sorted(action.column)
+            is FolderAction.Sort -> return choose(listing.sorted(action.column))
 
             is FolderAction.Check -> if (!checked.add(action.path)) checked -= action.path
 
@@ -356,10 +375,13 @@ internal class FolderScreen(
     }
 
     private fun show() {
-        val seasons = BatterySeason.of(listing.entries)
+        if (inSeasons !== listing.entries) {
+            seasons = BatterySeason.of(listing.entries)
+            inSeasons = listing.entries
+        }
         if (isPit) pit.show(listing.entries, BatteryAdvice.of(seasons), willRead = { it.isUnread && it.path !in listing.recording })
         orders.selectedIndex = 2 * listing.column.ordinal + if (listing.isDescending) 0 else 1
-        table.patch(nodes.of(listOf(logTable(listing, checked, limit))))
+        table.patch(nodes.of(listOf(logTable(listing, checked, limit).withPreviews(listing.visible, name = null))))
         val left = listing.rows.size - limit
         more.isHidden = left <= 0
         more.textContent = "Show more (${countText(left)} left)"
@@ -378,8 +400,8 @@ internal class FolderScreen(
     private companion object {
         const val PIT_HINT = "The last logs in large letters (I)"
 
-        /** The number of rows added at a time. */
-        const val PAGE = 300
+        /** The number of rows added at a time: more than the screen has room for. */
+        val page: Int get() = 20 + window.innerHeight / 30
 
         /** Milliseconds between two updates of the table. */
         const val PAUSE = 200

@@ -32,7 +32,8 @@ internal class OpenedLog(
     val numbers: LogNumbers = LogNumbers.NONE,
     val origin: ServedFile? = files[0].served,
 ) : ListedLog {
-    override val path: String get() = pathOf(files[0])
+    // Stored, because asking the browser costs more, and lists of logs ask often.
+    override val path: String = pathOf(files[0])
 
     override val fileName: String get() = files[0].name
 
@@ -40,7 +41,7 @@ internal class OpenedLog(
 
     override val isHere: Boolean get() = files.none { it.served != null }
 
-    override val modified: Long get() = modifiedOf(files[0])
+    override val modified: Long = modifiedOf(files[0])
 
     /** The log's key in the browser's storage. A log on a server keeps its key when it grows. */
     val key: String get() = if (origin != null) path else "$fileName:${files.sumOf { it.size.toDouble() }}"

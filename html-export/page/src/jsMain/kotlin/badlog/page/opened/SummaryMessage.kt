@@ -47,6 +47,8 @@ internal object SummaryMessage {
         "units" to summary.topics.map { it.unit }.toTypedArray(),
         "kinds" to summary.topics.map { it.kind.ordinal }.toTypedArray(),
         "numbers" to numbersOf(summary.topics),
+        // Lists draw no other topic.
+        "preview" to summary.batteryTopic?.let(summary::topic)?.preview?.bytes,
         "hasRun" to (found != null),
         "found" to found?.rules?.map { arrayOf(it.name, it.severity.ordinal) }?.toTypedArray(),
         "verdict" to found?.verdict?.run { arrayOf(severity.ordinal, headline, sentences.toTypedArray(), next, errors, warnings) },
@@ -60,6 +62,7 @@ internal object SummaryMessage {
         val problems = message.problems.unsafeCast<Array<Int>>()
         val rules = message.found.unsafeCast<Array<Array<dynamic>>?>()
             ?.map { FoundRule(it[0] as String, Severity.entries[it[1] as Int]) }
+        val battery = message.battery.unsafeCast<Array<dynamic>?>()?.let(::batteryIn)
         val summary = LogSummary(
             match = MatchOfLog(match[0], match[1], match[2], match[3]),
             date = LogDate((message.second as Double).toLong(), DateSource.entries[message.source as Int]),
@@ -69,8 +72,8 @@ internal object SummaryMessage {
             problems = ProblemCounts(problems[0], problems[1], problems[2]),
             content = Content.entries[message.content as Int],
             trouble = message.trouble as String?,
-            battery = message.battery.unsafeCast<Array<dynamic>?>()?.let(::batteryIn),
-            topics = topicsIn(message),
+            battery = battery,
+            topics = topicsIn(message, battery?.topic),
         )
         val found = if (message.hasRun as Boolean) FindingSummary(0, rules, verdictIn(message.verdict)) else null
         val (names, values) = message.figures.unsafeCast<Array<String>>()
@@ -96,7 +99,8 @@ internal object SummaryMessage {
         }
     }
 
-    private fun topicsIn(message: dynamic): List<TopicSummary> {
+    private fun topicsIn(message: dynamic, drawn: String?): List<TopicSummary> {
+        val preview = message.preview.unsafeCast<ByteArray?>()?.let(::PreviewLine)
         val units = message.units.unsafeCast<Array<String>>()
         val kinds = message.kinds.unsafeCast<Array<Int>>()
         val all = message.numbers.unsafeCast<DoubleArray>()
@@ -105,7 +109,7 @@ internal object SummaryMessage {
             val (min, max, mean, standardDeviation, percentile5) = n.asList()
             val statistics =
                 SeriesStatistics(n[7].toInt(), n[8].toInt(), min, max, mean, standardDeviation, percentile5, n[5], n[6], n[9], n[10], n[11])
-            TopicSummary(name, units[i], TopicKind.entries[kinds[i]], statistics, PreviewLine.NONE)
+            TopicSummary(name, units[i], TopicKind.entries[kinds[i]], statistics, preview?.takeIf { name == drawn } ?: PreviewLine.NONE)
         }
     }
 

@@ -23,6 +23,7 @@ import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
 import badlog.viewer.panel.PartIcon
 import badlog.viewer.panel.Picture
+import badlog.viewer.panel.Preview
 import badlog.viewer.panel.Row
 import badlog.viewer.panel.Rows
 import badlog.viewer.panel.Table
@@ -45,6 +46,9 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
 
     /** The nodes of buttons, which stay the same while values beside them change with each step of the cursor. */
     private val buttons = js("new WeakMap()")
+
+    /** The last row and node for each key of a row, by table. Comparing rows costs less than comparing their nodes. */
+    private val known = HashMap<String, HashMap<String, Pair<TableRow, Node>>>()
 
     /** Returns the [parts] of a panel as nodes. */
     fun of(parts: List<Part>): List<Node> {
@@ -215,11 +219,16 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
             val attributes = mapOf("title" to column.hint.ifEmpty { null }, "aria-sort" to order)
             Node("th", column.look, column.title.takeIf { sort == null }, column.key, attributes, children = listOfNotNull(sort))
         }
+        val rows = known.getOrPut(table.key + checks.size + titles.joinToString { it.className }) { HashMap() }
         val body = table.groups.flatMap { group ->
-            val span = mapOf("colspan" to "${titles.size + checks.size}", "scope" to "rowgroup")
+            // Its text reaches over the empty cells beside it: narrow screens hide some columns.
+            val span = mapOf("scope" to "rowgroup")
             val texts = listOf(Node("span", text = group.title), Node("span", "unit", group.count))
             val title = Node("tr", "row-group", key = group.title, children = listOf(Node("th", attributes = span, children = texts)))
-            listOf(title).filter { group.title.isNotEmpty() } + group.rows.map { tableRow(it, table.columns, checks) }
+            listOf(title).filter { group.title.isNotEmpty() } + group.rows.map { row ->
+                val last = rows[row.key]
+                if (last?.first == row) last.second else tableRow(row, table.columns, checks).also { rows[row.key] = row to it }
+            }
         }
         return Node(
             "table",
@@ -237,7 +246,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
             if (i == 0) {
                 val subject = cells.map { cell(it, "cut-name") }
                 Node("th", column.look, key = column.key, attributes = mapOf("scope" to "row"), children = subject)
-            } else if (only == null || only.severity != null || only.share != null || only.open != null) {
+            } else if (only == null || only.severity != null || only.share != null || only.preview != null || only.open != null) {
                 Node("td", column.look, key = column.key, children = cells.map(::cell))
             } else {
                 Node("td", column.look, only.text, column.key, mapOf("title" to only.ownHint))
@@ -264,6 +273,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         val bar = cell.share?.let {
             Node("progress", "is-${cell.severity?.word}", attributes = mapOf("value" to "$it", "aria-hidden" to "true"))
         }
+        cell.preview?.let { return curve(it) }
         // Within its own direction, a slash at the beginning of a name stays there.
         val text = cell.open?.let { textButton(Button(cell.text, it, hint = cell.hint), cell.isUnfolded) }
             ?: Node("span", className, attributes = mapOf("title" to cell.ownHint), children = listOf(Node("bdi", text = cell.text)))
@@ -274,10 +284,19 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         )
     }
 
+    private fun curve(preview: Preview): Node {
+        val path = preview.lines.joinToString("") { line ->
+            "M" + line.indices.joinToString(" ") { "${(line[it] * if (it % 2 == 0) CURVE_WIDTH else CURVE_HEIGHT).toInt()}" }
+        }
+        val place = mapOf("class" to "preview", "viewBox" to "0 -1 $CURVE_WIDTH ${CURVE_HEIGHT + 2}", "aria-hidden" to "true")
+        val shape = mapOf("preserveAspectRatio" to "none")
+        return Node("svg", attributes = place + shape, children = listOf(Node("path", attributes = mapOf("d" to path))))
+    }
+
     private val Cell.ownHint get() = hint.takeIf { it != text }
 
     /** The classes of a column, by which the style sheet arranges cards. */
-    private val Column.look: String get() = if (isNumber) "$key is-number" else key
+    private val Column.look: String get() = key + (if (isNumber) " is-number" else "") + if (isMinor) " is-minor" else ""
 
     private fun framed(row: Row): List<Node> {
         val lines = row.lines.mapIndexed { i, line ->
@@ -327,6 +346,12 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
             canvas.unsafeCast<HTMLCanvasElement>().paint(picture.height) { pen, width -> picture.draw(pen, width, palette.colors) }
         },
     )
+
+    private companion object {
+        /** The width and height of the square in which previews are drawn, before they are stretched. */
+        const val CURVE_WIDTH = 192
+        const val CURVE_HEIGHT = 100
+    }
 
     private val Part.className: String get() = key.substringBefore(' ')
 }

@@ -1,5 +1,6 @@
 package badlog.page.parts
 
+import badlog.page.dom.Icon
 import badlog.page.dom.element
 import badlog.page.dom.focusInPlace
 import kotlinx.browser.document
@@ -11,14 +12,23 @@ import org.w3c.dom.HTMLElement
  */
 internal fun HTMLElement.patch(nodes: List<Node>) {
     val before = shown
-    // The most frequent case: nothing comes, goes or moves.
-    if (before.size == nodes.size && nodes.indices.all { before[it].node?.isSameAs(nodes[it]) == true }) {
-        for (i in nodes.indices) before[i].update(nodes[i])
+    // The most frequent cases: nothing comes, goes or moves, or something comes at the end.
+    if (before.size <= nodes.size && before.indices.all { before[it].node?.isSameAs(nodes[it]) == true }) {
+        for (i in before.indices) before[i].update(nodes[i])
+        val next = if (before.isEmpty()) firstElementChild else before.last().nextElementSibling
+        if (before.size < nodes.size) {
+            shown = before + (before.size until nodes.size).map { i ->
+                val child = made(nodes[i], idOf(nodes[i], i))
+                insertBefore(child, next)
+                child.update(nodes[i])
+                child
+            }
+        }
         return
     }
     val focused = document.activeElement
     val known = before.associateBy { it.asDynamic().badlogId as String }
-    val ids = nodes.mapIndexed { i, node -> "${node.tag} ${node.key.ifEmpty { "$i" }}" }
+    val ids = nodes.mapIndexed { i, node -> idOf(node, i) }
     val wanted = ids.toHashSet()
     // First, so that those behind them need not be moved, which would take the focus from them.
     for ((id, child) in known) if (id !in wanted) child.remove()
@@ -33,7 +43,9 @@ internal fun HTMLElement.patch(nodes: List<Node>) {
     if (focused != null && focused !== document.activeElement && contains(focused)) focused.focusInPlace()
 }
 
-private fun made(node: Node, id: String): HTMLElement = element(node.tag).apply {
+private fun idOf(node: Node, place: Int) = "${node.tag} ${node.key.ifEmpty { "$place" }}"
+
+private fun made(node: Node, id: String): HTMLElement = elementNamed(node.tag).apply {
     asDynamic().badlogId = id
     node.icon?.let { appendChild(it.draw()) }
     if (node.tag == "button") setAttribute("type", "button")
@@ -41,6 +53,12 @@ private fun made(node: Node, id: String): HTMLElement = element(node.tag).apply 
     if (node.hint != null) addEventListener("pointerenter", { title = this.node?.hint?.invoke().orEmpty() })
     for (type in node.on.keys) addEventListener(type, { event -> this.node?.on?.get(type)?.invoke(event) })
 }
+
+private fun elementNamed(tag: String) =
+    if (tag in PICTURE_TAGS) document.createElementNS(Icon.SVG, tag).unsafeCast<HTMLElement>() else element(tag)
+
+/** The tags of pictures that take the colors of the style sheet. */
+private val PICTURE_TAGS = listOf("svg", "path")
 
 /** The node from which the element was made last. */
 private var HTMLElement.node: Node?

@@ -3,6 +3,7 @@ package badlog.viewer.panel
 import badlog.core.analysis.Span
 import badlog.core.recording.Severity
 import badlog.core.recording.Topic
+import badlog.viewer.catalog.PreviewLine
 import badlog.viewer.catalog.TopicSummary
 import badlog.viewer.state.Action
 
@@ -13,6 +14,13 @@ import badlog.viewer.state.Action
 class Table(override val key: String, val columns: List<Column>, val groups: List<RowGroup>, val name: String = "") : Part {
     /** All its rows. */
     val rows: List<TableRow> get() = groups.flatMap { it.rows }
+
+    /** Returns this table without its minor columns, for a place without room for all of them. */
+    fun withoutMinor(): Table {
+        fun <T> List<T>.major() = filterIndexed { i, _ -> !columns[i].isMinor }
+        val shorter = groups.map { group -> RowGroup(group.rows.map { it.copy(cells = it.cells.major()) }, group.title, group.count) }
+        return Table(key, columns.major(), shorter, name)
+    }
 }
 
 /**
@@ -23,6 +31,7 @@ class Table(override val key: String, val columns: List<Column>, val groups: Lis
  * @property sort the effect of a press on its title; null for none.
  * @property isDescending the order of the rows, if they are sorted by it; otherwise null.
  * @property key its identity among the columns.
+ * @property isMinor whether it is left out first where there is no room for all columns.
  */
 class Column(
     val title: String,
@@ -31,6 +40,7 @@ class Column(
     val isDescending: Boolean? = null,
     val isNumber: Boolean = false,
     val key: String = title,
+    val isMinor: Boolean = false,
 )
 
 /** The [rows] of a table under a common [title], with their [count]; an empty title is not shown. */
@@ -47,7 +57,7 @@ class RowGroup(val rows: List<TableRow>, val title: String = "", val count: Stri
  * @property open the effect of a press on the row; null for none.
  * @property isMuted whether there is nothing to see in it.
  */
-class TableRow(
+data class TableRow(
     val name: String,
     val cells: List<List<Cell>>,
     val key: String = "",
@@ -77,7 +87,7 @@ fun rowOf(
 }
 
 /** A check box, called [label] by screen readers. */
-class Check(val label: String, val isOn: Boolean, val action: Action)
+data class Check(val label: String, val isOn: Boolean, val action: Action)
 
 /**
  * A cell of a table.
@@ -93,7 +103,7 @@ class Check(val label: String, val isOn: Boolean, val action: Action)
  * @property color the index of the color of its line; null for none.
  * @property tools its buttons.
  */
-class Cell(
+data class Cell(
     val text: String,
     val hint: String = text,
     val unit: String = Topic.UNITLESS,
@@ -111,4 +121,34 @@ class Cell(
 enum class Extreme { SMALLEST, LARGEST }
 
 /** The shape of the series of [topic], drawn with the [range] of y from bottom to top. */
-class Preview(val topic: TopicSummary, val range: Span)
+data class Preview(val topic: TopicSummary, val range: Span) {
+    /**
+     * Its lines, each as x and y of its points in turn. They are shares of the width and height, from the left and the top. A column
+     * without values is between two lines.
+     */
+    val lines: List<DoubleArray> by lazy {
+        val lines = ArrayList<ArrayList<Double>>()
+        for (column in 0 until PreviewLine.COLUMNS) {
+            if (!topic.preview.has(column)) continue
+            if (column == 0 || !topic.preview.has(column - 1)) lines += ArrayList<Double>()
+            lines.last().addColumn(column)
+        }
+        lines.map { it.toDoubleArray() }
+    }
+
+    /** Adds the two ends of [column], first the end that is nearer to the last point. */
+    private fun MutableList<Double>.addColumn(column: Int) {
+        val low = placeOf(topic.preview.low(column))
+        val high = placeOf(topic.preview.high(column))
+        val last = lastOrNull() ?: high
+        val beginsLow = last - high > low - last
+        addAll(listOf((column + 0.25) / PreviewLine.COLUMNS, if (beginsLow) low else high))
+        addAll(listOf((column + 0.75) / PreviewLine.COLUMNS, if (beginsLow) high else low))
+    }
+
+    private fun placeOf(share: Float): Double {
+        val value = with(topic.statistics) { min + (max - min) * share }
+        val place = if (range.width > 0) (value - range.from) / range.width else 0.5
+        return 1 - (if (place.isNaN()) 0.5 else place).coerceIn(0.0, 1.0)
+    }
+}

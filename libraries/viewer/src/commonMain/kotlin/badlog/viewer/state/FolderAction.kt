@@ -8,10 +8,10 @@ sealed interface FolderAction : Action {
     class Sort(val column: LogColumn) : FolderAction
 
     /** Checks the log at [path] for a comparison, or unchecks it. */
-    class Check(val path: String) : FolderAction
+    data class Check(val path: String) : FolderAction
 
     /** Opens the log at [path]; at its worst finding if it [showsFinding]. */
-    class Open(val path: String, val showsFinding: Boolean) : FolderAction
+    data class Open(val path: String, val showsFinding: Boolean) : FolderAction
 
     /** Makes the choices [state] for the statistics across logs. */
     class MeasureAcross(val state: AcrossState) : FolderAction

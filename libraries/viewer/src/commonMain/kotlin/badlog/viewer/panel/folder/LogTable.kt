@@ -29,14 +29,14 @@ import badlog.viewer.text.countText
 fun <E : ListedLog> logTable(listing: Listing<E>, checked: Set<String>, limit: Int = Int.MAX_VALUE): Table {
     val columns = LogColumn.entries.filter { column -> listing.entries.any { listing.cellOf(it, column) != null } }
     var left = limit
-    val groups = listing.rows.groupBy(listing::groupOf).map { (title, runs) ->
+    val groups = listing.groups.map { (title, runs) ->
         val rows = runs.take(left).map { matchRow(listing, it, columns, checked) }
         left -= rows.size
         RowGroup(rows, title, countText(runs.sumOf { it.logs.size }, "log"))
     }
     val titles = columns.map {
         val isDescending = if (it == listing.column) listing.isDescending else null
-        Column(it.title, sort = FolderAction.Sort(it), isDescending = isDescending, isNumber = it.isNumber, key = it.name)
+        Column(it.title, "", FolderAction.Sort(it), isDescending, it.isNumber, it.name, isMinor = it in MINOR)
     }
     return Table("logs", titles, groups.filter { it.rows.isNotEmpty() }, "Logs")
 }
@@ -52,7 +52,7 @@ private fun <E : ListedLog> matchRow(listing: Listing<E>, run: MatchRun<E>, colu
             when (column) {
                 LogColumn.MATCH -> listOf(listing.titleCell(named, worst))
                 LogColumn.FILE -> logs.mapNotNull { listing.cellOf(it, column) }
-                else -> logs.mapNotNull { listing.cellOf(it, column) }.take(1)
+                else -> ordered(logs, column).firstNotNullOfOrNull { listing.cellOf(it, column) }.let(::listOfNotNull)
             }
         },
         worst.path,
@@ -60,6 +60,13 @@ private fun <E : ListedLog> matchRow(listing: Listing<E>, run: MatchRun<E>, colu
         open = FolderAction.Open(worst.path, showsFinding = false),
         isMuted = worst.isGray,
     )
+}
+
+/** Returns the [logs] of a match in the order in which one of them has the value of the match: of numbers, the lowest or the largest. */
+private fun <E : ListedLog> ordered(logs: List<E>, column: LogColumn): List<E> = when {
+    !column.isNumber -> logs
+    column.beginsDescending -> logs.sortedWith(column.order.reversed())
+    else -> logs.sortedWith(column.order)
 }
 
 /** Returns the title of a match, which [named] names; a press opens [log]. */
@@ -106,6 +113,8 @@ private fun Listing<*>.happened(log: ListedLog, text: String?): Cell? {
         else -> Cell(text, foundLines(log), open = FolderAction.Open(log.path, showsFinding = true), severity = worst)
     }
 }
+
+private val MINOR = setOf(LogColumn.ALLIANCE, LogColumn.SAMPLES, LogColumn.SIZE)
 
 /** The voltage of an empty bar, in V: a roboRIO is hardly ever on below it. */
 private const val EMPTY = 5.0

@@ -21,12 +21,9 @@ fun Table.withPreviews(logs: List<ListedLog>, name: String?): Table {
     val at = columns.indexOfLast { LogColumn.valueOf(it.key) <= LogColumn.BATTERY } + 1
     fun cells(row: TableRow) = listOfNotNull(topics[row.key]?.let { Cell("", preview = Preview(it, range)) })
     val rows = groups.map { group ->
-        val rows = group.rows.map {
-            TableRow(it.name, it.cells.with(at, cells(it)), it.key, checks = it.checks, open = it.open, isMuted = it.isMuted)
-        }
-        RowGroup(rows, group.title, group.count)
+        RowGroup(group.rows.map { it.copy(cells = it.cells.with(at, cells(it))) }, group.title, group.count)
     }
-    return Table(key, columns.with(at, Column(name ?: "Battery voltage", key = PREVIEW)), rows, this.name)
+    return Table(key, columns.with(at, Column(name ?: "Voltage", key = PREVIEW)), rows, this.name)
 }
 
 /** The key of the column with the previews. */

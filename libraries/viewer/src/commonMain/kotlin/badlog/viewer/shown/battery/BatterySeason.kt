@@ -70,7 +70,7 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
             usedFor: (List<E>) -> String? = { null },
         ): List<BatterySeason> {
             // A copy of a log says the same of the same time.
-            val used = logs.filter { it.isReadable && !it.isGray && it.summary.battery != null }.distinctBy { it.summary }
+            val used = logs.filter { it.isReadable && !it.isGray && it.summary.battery != null }.distinctBy(::contentOf)
             val matches = runsOf(used)
                 .map { run -> (usedFor(run.logs) ?: run.logs.firstNotNullOfOrNull { it.summary.battery?.name }) to matchOf(run) }
                 .groupBy({ it.first?.lowercase() }, { it })
@@ -83,6 +83,9 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
             val order = compareBy<BatterySeason> { it.battery?.isRetired }.thenBy(NaturalOrder) { it.title }
             return known.sortedWith(order) + listOfNotNull(matches[null]?.let { BatterySeason(null, ofBattery(it)) })
         }
+
+        // Not the whole summary, which may have thousands of topics.
+        private fun contentOf(log: ListedLog) = with(log.summary) { listOf(match, date, duration, samples, battery) }
 
         private fun ofBattery(named: List<Pair<String?, BatteryMatch>>?) = named.orEmpty().map { it.second }
     }

@@ -45,15 +45,20 @@ data class Listing<E : ListedLog>(
         valued + others
     }
 
-    /** The listed logs by match, in the order of the first log of each. Matches of a group are beside each other. */
-    val rows: List<MatchRun<E>> by lazy {
+    /**
+     * The listed logs by match, in the order of the first log of each, under the titles of their groups. The title is a day, if logs are
+     * sorted by time, or an event, if by match; empty without groups.
+     */
+    val groups: Map<String, List<MatchRun<E>>> by lazy {
         val places = HashMap<String, Int>()
         visible.forEachIndexed { i, log -> places[log.path] = i }
-        runsOf(visible).sortedBy { run -> run.logs.minOf { places.getValue(it.path) } }.groupBy(::groupOf).values.flatten()
+        runsOf(visible).sortedBy { run -> run.logs.minOf { places.getValue(it.path) } }.groupBy(::groupOf)
     }
 
-    /** Returns the title of the group with [run]: its day, if logs are sorted by time, or its event, if by match; empty without groups. */
-    fun groupOf(run: MatchRun<*>): String = when (column) {
+    /** The listed logs by match, in order. */
+    val rows: List<MatchRun<E>> by lazy { groups.values.flatten() }
+
+    private fun groupOf(run: MatchRun<*>): String = when (column) {
         LogColumn.DATE -> column.text(run.worst)?.substringBefore(DAY_END) ?: "No date"
         LogColumn.MATCH -> run.logs.firstNotNullOfOrNull { it.summary.match.event } ?: "No event"
         else -> ""

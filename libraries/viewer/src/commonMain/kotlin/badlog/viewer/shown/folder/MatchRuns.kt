@@ -10,8 +10,10 @@ import kotlin.math.abs
  * @property logs the logs.
  */
 class MatchRun<E : ListedLog>(val logs: List<E>) {
-    /** The log with the worst finding; of several, the one written last. A gray one only if all are gray. */
-    val worst: E get() = logs.maxWith(compareBy({ !it.isGray }, { it.found?.worst }, { it.modified }))
+    /**
+     * The log with the worst finding; of several, the one with the most samples, usually the robot's. A gray one only if all are gray.
+     */
+    val worst: E by lazy { logs.maxWith(compareBy({ !it.isGray }, { it.found?.worst }, { it.summary.samples }, { it.modified })) }
 
     /** The time when the last of the logs began, in s since 1970. */
     val second: Long get() = logs.maxOf { it.summary.date.second }

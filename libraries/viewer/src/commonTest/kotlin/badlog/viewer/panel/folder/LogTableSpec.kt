@@ -70,6 +70,13 @@ class LogTableSpec : FunSpec({
         table.texts(1) shouldBe listOf("practice.bag", "", "08:41", "2:36", "12.10 V", "0", "1.0 kB", "")
     }
 
+    test("without room for all columns, alliance, samples and size are left out, each with its cells") {
+        val narrow = table(robot, station, practice).withoutMinor()
+        narrow.columns.map { it.title } shouldBe listOf("Match", "What happened", "Time", "Duration", "Lowest battery", "File")
+        narrow.texts(0) shouldBe listOf("Q42 · Mill Creek", "Browned out at 1:33 +1", "10:41", "2:36", "6.73 V", "robot.bag, station.dslog")
+        narrow.groups.single().count shouldBe "3 logs"
+    }
+
     test("a click on a row opens the log with the worst finding, one on what happened its evidence, and one on a file that file") {
         val table = table(robot, station)
         table.groups.single().rows.single().open.shouldBeInstanceOf<FolderAction.Open>().run { path to showsFinding } shouldBe ("logs/robot.bag" to false)
@@ -100,6 +107,14 @@ class LogTableSpec : FunSpec({
         val found = robot.copy(found = FindingSummary(0, emptyList()))
         val idle = log("logs/later.bag", "42", second = morning + 60, content = Content.NOTHING_CHANGES).copy(modified = 9)
         table(found, idle).groups.single().rows.single().run { key to isMuted } shouldBe ("logs/robot.bag" to false)
+    }
+
+    test("a match has the longest duration and the lowest voltage of its logs, and without findings it opens the log with the most samples") {
+        val other = station.run { copy(summary = summary.copy(duration = 170.0, battery = BatteryUse(lowest = 6.1)), modified = 9) }
+        val table = table(robot.run { copy(summary = summary.copy(samples = 100), found = null) }, other.copy(found = null))
+        table.cells(0, LogColumn.DURATION).map { it.text } shouldBe listOf("2:50")
+        table.cells(0, LogColumn.BATTERY).map { it.text } shouldBe listOf("6.10 V")
+        table.cells(0, LogColumn.MATCH).single().opens().first shouldBe "logs/robot.bag"
     }
 
     test("a match has the event that one of its logs names, in its title and its group") {
@@ -144,6 +159,14 @@ class LogTableSpec : FunSpec({
         happened(practice).shouldBeEmpty()
     }
 
+    test("rows that did not change are equal, with their previews, so that nothing draws them again") {
+        fun rows(vararg logs: AnyLog) = table(*logs).withPreviews(logs.toList(), name = null).groups.flatMap { it.rows }
+        rows(robot, practice) shouldBe rows(robot, practice)
+        val (changed, same) = rows(robot.copy(found = null), practice)
+        (changed == rows(robot, practice).first()) shouldBe false
+        same shouldBe rows(robot, practice).last()
+    }
+
     test("problems have a severity, and the sentence as a hint") {
         val damaged = practice.run { copy(summary = summary.copy(problems = ProblemCounts(warnings = 2))) }
         table(damaged).cells(0, LogColumn.PROBLEMS).single().run { Triple(text, severity, hint) } shouldBe Triple("2 problems", Severity.WARNING, "2 warnings")
@@ -153,7 +176,7 @@ class LogTableSpec : FunSpec({
         val logs = listOf(robot, practice.copy(summary = practice.summary.copy(battery = null)))
         val table = logTable(Listing(logs), emptySet()).withPreviews(logs, name = null)
         table.columns.map { it.key }.let { it.indexOf("PREVIEW") - it.indexOf("BATTERY") } shouldBe 1
-        table.columns.single { it.key == "PREVIEW" }.run { title to sort } shouldBe ("Battery voltage" to null)
+        table.columns.single { it.key == "PREVIEW" }.run { title to sort } shouldBe ("Voltage" to null)
         val previews = table.groups.single().rows.map { row -> row.cells[table.columns.indexOfFirst { it.key == "PREVIEW" }] }
         previews.map { cells -> cells.map { it.preview?.topic?.name } } shouldBe listOf(listOf("Volts"), emptyList())
         previews.first().single().preview?.range.run { this?.from to this?.to } shouldBe (7.0 to 13.0)
