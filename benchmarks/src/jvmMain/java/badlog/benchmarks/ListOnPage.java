@@ -11,8 +11,8 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.chrome.ChromeDriver;
 
 /**
- * Measures the longest task of the page while a person searches, sorts and scrolls a list of 1,000 logs, and while they are read. The
- * browser reports only tasks over 50 ms.
+ * Measures the page's longest task while a person searches, sorts and scrolls a list of 1,000 logs, and while they are read. The browser
+ * reports only tasks over 50 ms.
  */
 final class ListOnPage {
     private static final int LOGS = 1000;

@@ -25,7 +25,7 @@ import badlog.window.theme.ViewerTheme
 import java.nio.file.Path
 import kotlin.math.sin
 
-/** Returns the longest time that the window's thread is blocked when a person searches, sorts and scrolls a table of 1,000 logs. */
+/** Returns the longest blocks of the window's thread while a person searches, sorts and scrolls 1,000 logs. */
 internal fun measureListBlocks(picture: Path): List<FrameTimes> = OffScreenWindow { viewer ->
     ViewerTheme(Theme.LIGHT) { LogTable(viewer.library, viewer.settings, ShownLogs(null, emptyList()), viewer.logActions) }
 }.use { window ->

@@ -62,7 +62,7 @@ private fun <E : ListedLog> matchRow(listing: Listing<E>, run: MatchRun<E>, colu
     )
 }
 
-/** Returns the [logs] of a match in the order in which one of them has the value of the match: of numbers, the lowest or the largest. */
+/** Returns [logs] so that the first one has the value of the match: the lowest or largest number. */
 private fun <E : ListedLog> ordered(logs: List<E>, column: LogColumn): List<E> = when {
     !column.isNumber -> logs
     column.beginsDescending -> logs.sortedWith(column.order.reversed())
