@@ -21,6 +21,7 @@ import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
 import badlog.window.state.StateHolder
 import badlog.window.task.assertOffWindow
+import badlog.window.task.returnUnusedMemory
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
@@ -80,6 +81,7 @@ internal class CurrentFindings(
                 select(selected?.let(list::like))
                 view.send(FindingAction.Know)
                 if (worstRequested == wanted.file) goToWorst() else beginWithFirst(list)
+                runInterruptible(Dispatchers.IO) { returnUnusedMemory(logged.recording.sampleCount) }
                 rest(began.elapsedNow())
             }
         }
