@@ -15,7 +15,7 @@ internal fun Viewer.perform(request: Request) = when (request) {
     is FindingRequest -> perform(request)
 
     // The list of logs has check boxes.
-    CompareRequest.Choose -> panels.change { copy(library = true) }
+    CompareRequest.Choose -> panels.change { copy(library = true, front = FrontPart.LOGS) }
 
     is CompareRequest -> compared.perform(request)
 
@@ -35,7 +35,7 @@ internal fun Viewer.perform(request: Request) = when (request) {
 
     is Request.RemoveNote -> notes.remove(request.note, spoken.placeOf(request.note.x))
 
-    is Request.Copy -> copyText(request.text())
+    is Request.Copy -> copy(request.text())
 
     Request.Values -> panels.change { toggled(InspectorTab.CURSOR) }
 
@@ -56,6 +56,10 @@ internal fun Viewer.perform(request: Request) = when (request) {
     is Request.Mark -> notes.mark(request.x, spoken.placeOf(request.x))
 
     is Request.Frames -> video.step(request.count)
+}
+
+private fun Viewer.copy(text: String) {
+    tasks.run("Copying the text", { copyText(text) }) {}
 }
 
 private fun Viewer.write(request: Request.Note) {

@@ -78,14 +78,14 @@ internal class ComparedRecordings(
     fun perform(request: CompareRequest) {
         val open = current.recording ?: return
 
-        // The open one comes first.
-        fun fileOf(log: Int) = drawn[log + 1].recording.file
+        // The open one comes first. A log may have been removed since its row was drawn.
+        fun fileOf(log: Int) = drawn.getOrNull(log + 1)?.recording?.file
         when (request) {
             CompareRequest.Choose -> Unit
             CompareRequest.Clear -> clear()
             is CompareRequest.Align -> change { alignedBy(request.alignment, open) }
-            is CompareRequest.Move -> change { movedTo(fileOf(request.log), request.offset, open) }
-            is CompareRequest.Remove -> remove(fileOf(request.log))
+            is CompareRequest.Move -> fileOf(request.log)?.let { file -> change { movedTo(file, request.offset, open) } } ?: Unit
+            is CompareRequest.Remove -> fileOf(request.log)?.let(::remove) ?: Unit
         }
     }
 

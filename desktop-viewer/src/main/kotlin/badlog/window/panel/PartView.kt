@@ -241,7 +241,7 @@ internal fun ValueView(value: Value, send: (Action) -> Unit) {
         for (tool in icons) {
             val icon = tool.icon?.vector ?: continue
             val press = Modifier.size(14.dp).clickable(role = Role.Button) { send(tool.action) }
-            Icon(icon, tool.hint, press, if (tool.isOn == true) palette.accent else palette.muted)
+            Tip(tool.hint) { Icon(icon, tool.hint, press, if (tool.isOn == true) palette.accent else palette.muted) }
         }
         value.color?.let { Box(Modifier.size(10.dp).background(palette.line(it), RoundedCornerShape(2.dp))) }
         NameText(value.name, Modifier.weight(1f), color = palette.muted)

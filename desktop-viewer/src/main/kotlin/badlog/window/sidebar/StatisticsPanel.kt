@@ -177,7 +177,7 @@ internal fun AcrossPane(
     val send = { action: Action ->
         if (action is FolderAction.Open) onOpen(Path.of(action.path)) else view.send(action)
     }
-    val logs = remember(rows, state) { AcrossLogs(rows, state) }
+    val logs = remember(rows, state.copy(search = "")) { AcrossLogs(rows, state) }
     val topics = remember(matching, state) { acrossTopics(state, matching) }
     val table = @Composable { place: Modifier ->
         Column(place) {

@@ -161,15 +161,21 @@ internal fun copyImage(bitmap: ImageBitmap, clipboard: () -> Clipboard = ::syste
 /** Returns the clipboard that all programs of this computer share. */
 internal fun systemClipboard() = Toolkit.getDefaultToolkit().systemClipboard
 
-/** Copies [text] to the system's clipboard. */
-internal fun copyText(text: String) = systemClipboard().setContents(StringSelection(text), null)
+/**
+ * Copies [text] to the system's clipboard.
+ *
+ * @throws IOException if there is no clipboard, or another program is using it.
+ */
+internal fun copyText(text: String) = copy(StringSelection(text), ::systemClipboard)
 
 /** Copies [image] to the [clipboard], like the other function. */
-internal fun copyImage(image: AwtImage, clipboard: () -> Clipboard) {
+internal fun copyImage(image: AwtImage, clipboard: () -> Clipboard) = copy(Picture(image), clipboard)
+
+private fun copy(content: Transferable, clipboard: () -> Clipboard) {
     try {
-        clipboard().setContents(Picture(image), null)
+        clipboard().setContents(content, null)
     } catch (e: HeadlessException) {
-        throw IOException("There is no clipboard here; save the figure as a file instead.", e)
+        throw IOException("There is no clipboard here; save a file instead.", e)
     } catch (e: IllegalStateException) {
         throw IOException("Another program is using the clipboard; try again.", e)
     }

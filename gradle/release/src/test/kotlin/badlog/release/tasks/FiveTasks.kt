@@ -183,8 +183,8 @@ private fun Walk.addKeys() {
         """.trimIndent(),
     )
     insert("Request", "    object Cursor : Request\n", "\n    /** Announces the values at the cursor again. */\n    object Repeat : Request\n")
-    insert("PageRequests", "        Request.Cursor -> live.announceCursor()\n", "\n        Request.Repeat -> live.announceCursor()\n")
-    insert("WindowRequests", "        Request.Cursor -> spoken.sayValues()\n", "        Request.Repeat -> spoken.sayValues()\n")
+    insert("PageRequests", "    Request.Cursor -> live.announceCursor()\n", "\n    Request.Repeat -> live.announceCursor()\n")
+    insert("WindowRequests", "    Request.Cursor -> spoken.sayValues()\n", "\n    Request.Repeat -> spoken.sayValues()\n")
     insert("log.md", "| `E` | zoom to the time enabled |\n", "| `U`, `R` | remove the cursors; say the values at the cursor again |\n")
 }
 
@@ -197,7 +197,7 @@ private fun Walk.addColumn() {
     insert("SummarySerializer", "        topics.map { it.topic() },\n", "        values,\n")
     insert("SummarySerializer", "                topics.map { StoredTopic.of(it) },\n", "                values,\n")
     insert("SummaryMessage", "        \"numbers\" to numbersOf(summary.topics),\n", "        \"values\" to summary.values,\n")
-    insert("SummaryMessage", "            topics = topicsIn(message),\n", "            values = message.values as Int,\n")
+    insert("SummaryMessage", "            topics = topicsIn(message, battery?.topic),\n", "            values = message.values as Int,\n")
     val version = checkNotNull(Regex("const val VERSION = (\\d+)").find(named("ResultCache").readText()))
     replace("ResultCache", version.value, "const val VERSION = ${version.groupValues[1].toInt() + 1}")
     insert(

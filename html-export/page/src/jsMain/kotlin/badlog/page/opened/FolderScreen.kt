@@ -175,14 +175,16 @@ internal class FolderScreen(
             if (it.unsafeCast<KeyboardEvent>().screenKey == ScreenKey.PIT) togglePit()
         }
         PageEvents.on(window, "scroll") {
-            if (!more.isHidden && more.getBoundingClientRect().top < 2 * window.innerHeight) showMore()
+            if (!isPit && !more.isHidden && more.getBoundingClientRect().top < 2 * window.innerHeight) showMore()
         }
     }
 
     /** Focuses the entry of [log]. */
     fun focus(log: OpenedLog) {
         if (isPit) return pit.focus(log)
-        val path = listing.rows.find { row -> row.logs.any { it.path == log.path } }?.worst?.path
+        val place = listing.rows.indexOfFirst { row -> row.logs.any { it.path == log.path } }
+        while (limit <= place) showMore()
+        val path = listing.rows.getOrNull(place)?.worst?.path
         val row = table.querySelectorAll("[data-path]").asList().find { it.asDynamic().dataset.path == path }
         row?.asDynamic()?.querySelector("button")?.focus()
     }

@@ -181,7 +181,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
     private fun value(value: Value): Node {
         val name = Node("span", "cut-name", children = listOf(Node("bdi", text = value.name, hint = { value.name })))
         val text = value.field?.let(::field) ?: Node("bdi", "value-text", value.text, hint = value.exact)
-        val tools = value.tools.map { if (it.icon == null) textButton(it) else iconButton(it, "pin") }
+        val tools = value.tools.map { iconButton(it, "pin") }
         return Node(
             "li",
             value.className + if (value.isMarked) " is-marked" else "",
@@ -230,6 +230,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
                 if (last?.first == row) last.second else tableRow(row, table.columns, checks).also { rows[row.key] = row to it }
             }
         }
+        rows.keys.retainAll(table.rows.mapTo(HashSet()) { it.key })
         return Node(
             "table",
             table.className,
@@ -331,8 +332,9 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
 
     private fun madeButton(button: Button, className: String): Node {
         val attributes = mapOf("title" to button.hint, "aria-label" to button.hint) + button.state
-        val names = "icon-button $className".trim()
-        return Node("button", names, key = button.label, attributes = attributes, icon = button.icon?.icon, press = { send(button.action) })
+        val word = button.label.takeIf { button.icon == null }
+        val names = if (word == null) "icon-button $className".trim() else "text-button"
+        return Node("button", names, word, button.label, attributes = attributes, icon = button.icon?.icon, press = { send(button.action) })
     }
 
     private val Button.state get() = mapOf("disabled" to "".takeIf { !isEnabled }, "aria-pressed" to isOn?.toString())

@@ -78,7 +78,7 @@ private fun HTMLElement.update(node: Node) {
     val before = this.node
     if (before === node) return
     this.node = node
-    if (before?.className != node.className) className = node.className
+    if (before?.className.orEmpty() != node.className) className = node.className
     if (before?.attributes !== node.attributes) {
         for (name in before?.attributes.orEmpty().keys) if (node.attributes[name] == null) removeAttribute(name)
         for ((name, value) in node.attributes) if (value != null && before?.attributes?.get(name) != value) setAttribute(name, value)

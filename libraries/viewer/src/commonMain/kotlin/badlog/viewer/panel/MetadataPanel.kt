@@ -19,7 +19,7 @@ fun metadataPanel(folders: List<Folder>, search: String, unfolded: Map<String, B
     if (found.isEmpty()) return listOf(hint("Nothing matches “$search”."))
     return found.map { (folder, values) ->
         val key = "value-folder $folder"
-        if (folder.isEmpty()) values else Fold(key, folder, unfolded[key] ?: true, listOf(values))
+        if (folder.isEmpty()) values else Fold(key, folder, search.isNotEmpty() || unfolded[key] ?: true, listOf(values))
     }
 }
 

@@ -138,7 +138,7 @@ class Value(
 ) : Part
 
 /**
- * Rows below each other, called [name]: each is a [Row], a [Value] or a [Trouble].
+ * Rows below each other, called [name]: each is a [Row], a [Value], a [Trouble] or a [Paragraph].
  *
  * @property rows the rows; a list may make each only when it is drawn.
  * @property isLong whether they scroll in a place of their own.

@@ -26,6 +26,7 @@ class MetadataPanelSpec : FunSpec({
 
     test("a search finds names and texts; nothing is a sentence") {
         (metadataPanel(folders, "gain", emptyMap()).single() as Fold).parts.single().values().map { it.name } shouldContainExactly listOf("Gain")
+        (metadataPanel(folders, "gain", mapOf("value-folder Arm" to false)).single() as Fold).isOpen shouldBe true
         (metadataPanel(folders, "gone", emptyMap()).single() as Paragraph).text shouldBe "Nothing matches “gone”."
         (metadataPanel(emptyList<Folder>(), "", emptyMap()).single() as Paragraph).text shouldBe "This log has no metadata: its header is empty."
     }
