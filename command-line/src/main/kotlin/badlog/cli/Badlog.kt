@@ -78,11 +78,9 @@ internal class Badlog(
         console.warn("$reason${if (reason.last() in ".?") "" else "."} Try: $help")
         return ExitCode.USAGE
     }
-
-    private companion object {
-        const val ERROR = "Error: "
-
-        /** The beginning of Java's message on Windows about a path with a `?` or `*`. */
-        const val NO_PATH = "Illegal char <"
-    }
 }
+
+private const val ERROR = "Error: "
+
+/** The beginning of Java's message on Windows about a path with a `?` or `*`. */
+private const val NO_PATH = "Illegal char <"

@@ -63,11 +63,6 @@ internal class Faults(val counters: Counters) {
         counters.callsIgnored.incrementAndGet()
         return before.size < MAX_MESSAGES && before.add(about)
     }
-
-    private companion object {
-        // A limit, so that a program that invents names cannot fill the memory with them.
-        const val MAX_MESSAGES = 100
-    }
 }
 
 /** Returns [cause] as one line. Catches everything, because its `toString` may throw, too. */
@@ -76,3 +71,6 @@ internal fun describe(cause: Throwable): String = try {
 } catch (_: Throwable) {
     cause.javaClass.name
 }
+
+// A limit, so that a program that invents names cannot fill the memory with them.
+private const val MAX_MESSAGES = 100

@@ -71,8 +71,6 @@ internal class Counters {
         callsIgnored = callsIgnored.get(),
         eventsDropped = eventsDropped.get(),
     )
-
-    private companion object {
-        const val SLOW_NANOS = 5_000_000L
-    }
 }
+
+private const val SLOW_NANOS = 5_000_000L

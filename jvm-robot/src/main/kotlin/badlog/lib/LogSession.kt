@@ -247,8 +247,6 @@ internal class CloseOnExit(private val session: LogSession) : Thread("badlog clo
             // The program is ending already.
         }
     }
-
-    private companion object {
-        const val MAX_PRINT_MILLIS = 250
-    }
 }
+
+private const val MAX_PRINT_MILLIS = 250

@@ -142,11 +142,9 @@ internal class RowSink(
         faults.note("$rowsLost rows before this one could not be written")
         rowsLost = 0
     }
-
-    private companion object {
-        // The bytes that RandomAccessFile.write accepts without allocating a buffer, minus a long row.
-        const val BATCH_BYTES = 6 * 1024
-        const val MAX_WAIT_NANOS = 250_000_000L
-        const val RETRY_NANOS = 250_000_000L
-    }
 }
+
+// The bytes that RandomAccessFile.write accepts without allocating a buffer, minus a long row.
+private const val BATCH_BYTES = 6 * 1024
+private const val MAX_WAIT_NANOS = 250_000_000L
+private const val RETRY_NANOS = 250_000_000L

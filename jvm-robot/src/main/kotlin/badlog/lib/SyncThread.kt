@@ -71,10 +71,6 @@ internal class SyncThread(
         // Reported before the state changes, so that code that sees the log fail can read why.
         file.isMissing = isMissing
     }
-
-    private companion object {
-        const val INTERVAL_MILLIS = 250L
-    }
 }
 
 /** Syncs the names of [folder]'s files to the disk. Otherwise, a new file could be missing from its folder after a loss of power. */
@@ -85,3 +81,5 @@ internal fun syncFolder(folder: File) {
         // Some systems do not allow opening a folder; those keep names safe by themselves.
     }
 }
+
+private const val INTERVAL_MILLIS = 250L

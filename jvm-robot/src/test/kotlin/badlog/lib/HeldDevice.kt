@@ -29,8 +29,6 @@ internal class HeldDevice {
     fun awaitHold() = check(held.await(LIMIT_MINUTES, TimeUnit.MINUTES)) { "Nobody uses this." }
 
     fun release() = released.countDown()
-
-    private companion object {
-        const val LIMIT_MINUTES = 1L
-    }
 }
+
+private const val LIMIT_MINUTES = 1L

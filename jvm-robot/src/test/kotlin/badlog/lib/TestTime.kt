@@ -79,9 +79,7 @@ internal class TestTime : LogTime(AtomicLong()) {
             changed.signalAll()
         }
     }
-
-    private companion object {
-        const val NANOS_PER_MILLI = 1_000_000L
-        const val LIMIT_MINUTES = 1L
-    }
 }
+
+private const val NANOS_PER_MILLI = 1_000_000L
+private const val LIMIT_MINUTES = 1L

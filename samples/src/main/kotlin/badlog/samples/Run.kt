@@ -44,8 +44,6 @@ class Run(
             time += seconds
         }
     }
-
-    private companion object {
-        const val PERIOD = 0.02
-    }
 }
+
+private const val PERIOD = 0.02

@@ -45,8 +45,6 @@ class Inflated(file: ByteArray) {
         isWhole = inflater.finished()
         inflater.end()
     }
-
-    private companion object {
-        const val GZIP_HEADER = 10
-    }
 }
+
+private const val GZIP_HEADER = 10

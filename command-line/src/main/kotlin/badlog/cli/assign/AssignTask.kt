@@ -76,10 +76,6 @@ internal class AssignTask(
         val meant = near(name, known).take(MAX_MEANT).joinToString(" or ") { "“$it”" }
         return if (meant.isEmpty()) "; $list shows them." else "; did you mean $meant?"
     }
-
-    private companion object {
-        const val MAX_MEANT = 2
-    }
 }
 
 /** The assignment, for programs. */
@@ -92,3 +88,5 @@ private class AssignedJson(
     private val signal: String,
     private val topic: String,
 )
+
+private const val MAX_MEANT = 2

@@ -115,11 +115,6 @@ internal class Outcomes(
     private fun line(file: Path, status: String, rest: Map<String, JsonElement>) {
         console.say(Spelling.ascii(JsonObject(jsonOf(LineJson(command, file.toString(), status)) + rest).toString()))
     }
-
-    private companion object {
-        /** The maximum number of listed files that are not logs. */
-        const val LISTED = 20
-    }
 }
 
 @Serializable
@@ -130,3 +125,6 @@ private class ErrorJson(private val error: String)
 
 @Serializable
 private class SkippedJson(private val reason: String)
+
+/** The maximum number of listed files that are not logs. */
+private const val LISTED = 20

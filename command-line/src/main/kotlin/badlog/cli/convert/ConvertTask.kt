@@ -145,14 +145,6 @@ internal class ConvertTask(
         if (columns.size == read.topics.size) return read
         return read.copy(topics = columns)
     }
-
-    private companion object {
-        const val INDENT = 4
-
-        /** The part of an entry's name that marks a type description, which other entries need. */
-        const val SCHEMAS = "/.schema/"
-        const val REPEATS = "Samples that repeat the previous one have no record."
-    }
 }
 
 @Serializable
@@ -164,3 +156,9 @@ private class ConvertJson(
     private val leftOut: List<String>,
     private val undefined: List<UndefinedJson>,
 )
+
+private const val INDENT = 4
+
+/** The part of an entry's name that marks a type description, which other entries need. */
+private const val SCHEMAS = "/.schema/"
+private const val REPEATS = "Samples that repeat the previous one have no record."

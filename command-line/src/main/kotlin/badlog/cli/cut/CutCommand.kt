@@ -49,8 +49,6 @@ internal class CutCommand :
         if (choices.isEmpty()) throw UsageError("say what to keep: --from, --to, --enabled or --around")
         return CutTask(paths, choices, output.plan(paths), xTopic, isJson)
     }
-
-    private companion object {
-        const val AROUND = 5.0
-    }
 }
+
+private const val AROUND = 5.0

@@ -120,11 +120,6 @@ internal class CutTask(
         part.spans.map { StretchJson(it.from, it.to) },
         leftOut.all,
     )
-
-    private companion object {
-        const val LISTED = 10
-        const val INDENT = 4
-    }
 }
 
 @Serializable
@@ -137,3 +132,6 @@ private class CutJson(
     private val parts: List<StretchJson>,
     private val leftOut: List<String>,
 )
+
+private const val LISTED = 10
+private const val INDENT = 4

@@ -34,10 +34,6 @@ internal class DoctorTask(private val checkup: Checkup, private val isJson: Bool
         }
         return if (findings.any { it.state == CheckState.ERROR }) ExitCode.SALVAGED else ExitCode.WHOLE
     }
-
-    private companion object {
-        const val COLUMN = 10
-    }
 }
 
 @Serializable
@@ -45,3 +41,5 @@ private class DoctorJson(private val command: String, private val checks: List<C
 
 @Serializable
 private class CheckJson(private val name: String, private val status: String, private val found: String)
+
+private const val COLUMN = 10

@@ -172,9 +172,7 @@ internal class ExportTask(
                 problemsBeside.isNotEmpty()
         return Outcome(report.recording.isSalvaged || isIncomplete, text.joinToString("\n"), json)
     }
-
-    private companion object {
-        /** Bytes per kB. */
-        const val BYTES = 1000
-    }
 }
+
+/** Bytes per kB. */
+private const val BYTES = 1000

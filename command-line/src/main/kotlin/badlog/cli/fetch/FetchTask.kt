@@ -156,11 +156,6 @@ internal class FetchTask(
             if (!isJson) console.warn(message)
         }
     }
-
-    private companion object {
-        /** The time between rounds while watching. */
-        const val WATCH_MILLIS = 5_000L
-    }
 }
 
 @Serializable
@@ -172,3 +167,6 @@ private class FetchJson(
     private val match: String?,
     private val isLog: Boolean,
 )
+
+/** The time between rounds while watching. */
+private const val WATCH_MILLIS = 5_000L

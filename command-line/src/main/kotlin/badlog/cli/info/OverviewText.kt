@@ -48,9 +48,7 @@ internal class OverviewText(private val width: Int) {
         grouped(summary.view.recording.sampleCount),
         summary.view.problems.filter { it.severity == Severity.ERROR }.sumOf { it.count }.let { if (it == 0) "" else "$it" },
     )
-
-    private companion object {
-        const val LOG = 27
-        const val MATCH = 22
-    }
 }
+
+private const val LOG = 27
+private const val MATCH = 22

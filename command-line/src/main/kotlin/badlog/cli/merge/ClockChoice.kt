@@ -70,11 +70,6 @@ internal class MovedLogs(
             if (before == null || part.lastX > before.lastX) last = part
         }
     }
-
-    private companion object {
-        /** The maximum time in which a robot restarts its program. */
-        const val FAR_SECONDS = 60.0
-    }
 }
 
 /**
@@ -237,3 +232,6 @@ internal fun LogPart.later(seconds: Double): LogPart {
 private fun Double.plus(other: BigDecimal): Double = if (isFinite()) BigDecimal.valueOf(this).add(other).toDouble() else this
 
 private const val MICROS = 1e6
+
+/** The maximum time in which a robot restarts its program. */
+private const val FAR_SECONDS = 60.0

@@ -95,9 +95,7 @@ internal class MergedRecords(parts: List<LogPart>, mode: MergeMode) {
         }
         return made
     }
-
-    private companion object {
-        const val MICROS = 1e6
-        const val SCHEMA_FOLDER = "/.schema/"
-    }
 }
+
+private const val MICROS = 1e6
+private const val SCHEMA_FOLDER = "/.schema/"

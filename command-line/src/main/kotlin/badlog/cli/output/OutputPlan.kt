@@ -97,11 +97,6 @@ internal class OutputPlan(
         val name = FileName.of(wanted).fitting().free { taken.add(folder.resolve(it).toString().lowercase()) }
         return wanted.resolveSibling(name)
     }
-
-    private companion object {
-        /** The advice for any `--out`: a file, a folder, or none. */
-        const val ELSEWHERE = "name another place with --out"
-    }
 }
 
 /** The options of all commands that write one file for each log. */
@@ -116,3 +111,6 @@ internal class OutputOptions : OptionGroup() {
     /** The path that `--out` names; null if there is none. */
     val outPath: Path? get() = out?.path
 }
+
+/** The advice for any `--out`: a file, a folder, or none. */
+private const val ELSEWHERE = "name another place with --out"

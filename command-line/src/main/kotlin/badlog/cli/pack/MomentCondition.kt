@@ -85,13 +85,11 @@ private class MomentSamples(series: Series, moment: Span, isOther: (Double) -> B
         val digits = max(0, -log10(step).roundToInt())
         return limit.toBigDecimal().setScale(digits, RoundingMode.HALF_EVEN).toPlainString()
     }
-
-    private companion object {
-        const val MIN_SAMPLES = 10
-        const val MIN_GAP = 0.1
-        const val MIN_RANGE = 0.05
-
-        /** A condition says less than a number far from all others. */
-        const val TRUTH_DISTANCE = 1.0
-    }
 }
+
+private const val MIN_SAMPLES = 10
+private const val MIN_GAP = 0.1
+private const val MIN_RANGE = 0.05
+
+/** A condition says less than a number far from all others. */
+private const val TRUTH_DISTANCE = 1.0

@@ -80,10 +80,6 @@ internal class NewSliceTask(private val pack: Path, private val order: SliceOrde
         )
         return "${order.log} -> ${made.file}\n" + lines.joinToString("\n") { wrapped("  ", it, INDENT, width) }
     }
-
-    private companion object {
-        const val INDENT = 4
-    }
 }
 
 @Serializable
@@ -112,3 +108,5 @@ private class NewSliceJson private constructor(
         text = made.verdict.text,
     )
 }
+
+private const val INDENT = 4

@@ -84,11 +84,6 @@ internal class PackCheckTask(private val path: Path, private val isJson: Boolean
     private class MissingSlice(val rule: String, val isFiring: Boolean) {
         val must get() = if (isFiring) "find something" else "stay silent"
     }
-
-    private companion object {
-        const val STATUS_WIDTH = 8
-        const val INDENT = 2
-    }
 }
 
 private fun folderOf(isFiring: Boolean) = if (isFiring) RulePack.FIRES else RulePack.SILENT
@@ -127,3 +122,6 @@ private class PackJson(
 
 @Serializable
 private class MissingSliceJson(private val rule: String, private val kind: String)
+
+private const val STATUS_WIDTH = 8
+private const val INDENT = 2

@@ -49,8 +49,6 @@ internal class PackRules(folder: Path) {
 
     /** Names in a condition are in double quotes, which need no backslash within single ones. */
     private fun quoted(text: String) = if ('"' in text && text.none { it == '\'' || it.isISOControl() }) "'$text'" else quotedJson(text)
-
-    private companion object {
-        const val BEGINNING = "# The rules of this pack; docs/rules.md explains the keys.\n"
-    }
 }
+
+private const val BEGINNING = "# The rules of this pack; docs/rules.md explains the keys.\n"

@@ -51,9 +51,7 @@ internal class RulesCommand :
         val rule = name?.trim()?.ifEmpty { null } ?: throw UsageError("name the rule with --name")
         return NewSliceTask(PackPlace.forWriting(pack), SliceOrder(log, moment, rule, condition, isSilent), isJson)
     }
-
-    private companion object {
-        const val CHECK = "check"
-        const val NEW = "new"
-    }
 }
+
+private const val CHECK = "check"
+private const val NEW = "new"

@@ -79,12 +79,10 @@ internal class SliceCut(private val order: SliceOrder, progress: Progress) {
 
     private fun noTime() =
         Failure("${order.log} has no x axis in a unit of time; make one of its topics the x axis with badlog convert --x.")
-
-    private companion object {
-        /** The length of a slice before and after its moment, in s. */
-        const val REACH = 10.0
-
-        /** The distance up to which a sample belongs to the moment, in s: people do not give moments more precisely. */
-        const val NEAR = 0.5
-    }
 }
+
+/** The length of a slice before and after its moment, in s. */
+private const val REACH = 10.0
+
+/** The distance up to which a sample belongs to the moment, in s: people do not give moments more precisely. */
+private const val NEAR = 0.5

@@ -40,12 +40,10 @@ public class LakeCache(private val answers: Path, private val layoutVersion: Int
 
     private fun isFormer(name: String): Boolean =
         name == WITHOUT_VERSION || (name.startsWith(NAME) && (name.removePrefix(NAME).toIntOrNull() ?: layoutVersion) < layoutVersion)
-
-    private companion object {
-        const val NAME = "lakes-v"
-
-        /** The name of the folder of lakes before layouts had versions. */
-        const val WITHOUT_VERSION = "lakes"
-        const val HEX = 16
-    }
 }
+
+private const val NAME = "lakes-v"
+
+/** The name of the folder of lakes before layouts had versions. */
+private const val WITHOUT_VERSION = "lakes"
+private const val HEX = 16

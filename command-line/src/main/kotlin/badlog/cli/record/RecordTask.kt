@@ -73,11 +73,6 @@ internal class RecordTask(
     } catch (_: IllegalStateException) {
         // The hook has ended this.
     }
-
-    private companion object {
-        const val SHOW_MILLIS = 500L
-        const val CLOSING_SECONDS = 10L
-    }
 }
 
 /** Reports events, and shows the progress. Called on two threads. */
@@ -150,10 +145,6 @@ private class RecordTalk(private val console: Console, private val outcomes: Out
         line?.close()
         line = null
     }
-
-    private companion object {
-        const val NANOS = 1e9
-    }
 }
 
 @Serializable
@@ -165,3 +156,8 @@ private class RecordJson(
     private val late: Long,
     private val gaps: Int,
 )
+
+private const val SHOW_MILLIS = 500L
+private const val CLOSING_SECONDS = 10L
+
+private const val NANOS = 1e9

@@ -71,10 +71,6 @@ internal class ReplayCommand :
         }
         return ReplayTask(file, optionsFor, from, to, xTopic, virtual.definitions, isJson)
     }
-
-    private companion object {
-        const val MAX_PORT = 65_535
-    }
 }
 
 /**
@@ -165,11 +161,11 @@ internal class ReplayTask(
         Thread.sleep(LOOK_MILLIS)
         server.note?.takeIf { it != note }?.let(console::warn)
     }
-
-    private companion object {
-        const val LOOK_MILLIS = 200L
-    }
 }
 
 @Serializable
 private class ReplayJson(private val port: Int, private val undefined: List<UndefinedJson>)
+
+private const val MAX_PORT = 65_535
+
+private const val LOOK_MILLIS = 200L

@@ -59,10 +59,6 @@ internal class StationLogFinder(private val folder: Path, private val signals: S
     fun jsonOf(file: LogFile): Map<String, JsonElement> = found[file.path]?.run {
         jsonOf(StationJson(StationFitJson(name, fit.seconds, fit.edges, fit.error)))
     } ?: doubts[file.path]?.let { jsonOf(StationDoubtJson(it)) }.orEmpty()
-
-    private companion object {
-        const val DIGITS = 3
-    }
 }
 
 @Serializable
@@ -78,3 +74,5 @@ private class StationFitJson(
     private val edges: Int,
     private val error: JsonNumber,
 )
+
+private const val DIGITS = 3

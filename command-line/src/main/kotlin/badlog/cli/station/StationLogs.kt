@@ -70,13 +70,11 @@ internal class StationLogs(private val folder: Path) {
         readStationLog(log, LOG_FORMATS)?.let { ClockedLog(log.name, it, signalsBeside(log.path)) }
 
     private fun startOf(log: LogFile): Double? = startOfStationLog(log, STATION_HEAD_SIZE, ::stationStartIn)
-
-    private companion object {
-        /** The number of robots in a match. */
-        const val MOST_RIVALS = 6
-
-        /** The beginning of all file name endings of Driver Station logs. */
-        const val STATION_ENDING = ".ds"
-        const val STATION_FOLDER = "Driver Station/"
-    }
 }
+
+/** The number of robots in a match. */
+private const val MOST_RIVALS = 6
+
+/** The beginning of all file name endings of Driver Station logs. */
+private const val STATION_ENDING = ".ds"
+private const val STATION_FOLDER = "Driver Station/"

@@ -57,10 +57,8 @@ internal class BatteryTask(private val paths: List<Path>, private val cache: Pat
             }
         }
     }
-
-    private companion object {
-        const val NO_BATTERY = "No log shows its battery; “badlog info --signals” says which topics badlog looks for."
-        const val NO_NAME =
-            "No log says which battery was in the robot: let it log a value “Battery Name”, or write it into batteries.toml beside the logs."
-    }
 }
+
+private const val NO_BATTERY = "No log shows its battery; “badlog info --signals” says which topics badlog looks for."
+private const val NO_NAME =
+    "No log says which battery was in the robot: let it log a value “Battery Name”, or write it into batteries.toml beside the logs."

@@ -127,8 +127,6 @@ internal class PagePlan(val file: Path, private val isForced: Boolean) {
     }
 
     private fun beginOf(file: Path) = writing(file) { Files.newInputStream(file).use { it.readNBytes(BEGIN).decodeToString() } }
-
-    private companion object {
-        const val BEGIN = 1024
-    }
 }
+
+private const val BEGIN = 1024

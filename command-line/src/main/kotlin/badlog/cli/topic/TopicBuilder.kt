@@ -68,10 +68,6 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
         isInGap = number.isNaN()
         samples[size++] = number
     }
-
-    private companion object {
-        const val INITIAL_TEXTS = 16
-    }
 }
 
 /** Provides the cells of [topic]; empty cells if it is null. It is fastest in the order of rows or samples. */
@@ -91,3 +87,5 @@ internal class CellSource(private val topic: Topic?) {
         }
     }
 }
+
+private const val INITIAL_TEXTS = 16

@@ -198,8 +198,6 @@ internal class MinMaxPyramid(private val values: DoubleArray) {
             max = most
         }
     }
-
-    private companion object {
-        const val BLOCK = 32
-    }
 }
+
+private const val BLOCK = 32

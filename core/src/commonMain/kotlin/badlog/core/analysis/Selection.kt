@@ -168,16 +168,6 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
         for (i in 0 until count) if (values[i] > value && values[i] < next) next = values[i]
         return if (next.isFinite()) next else value
     }
-
-    private companion object {
-        const val PARTS = 1024
-
-        /** From this many values on, their range is divided into parts. */
-        const val MAX_UNDIVIDED = 64
-
-        /** The upper limit of the relative difference between sums of the same weights in different orders. */
-        const val ROUNDING = 1e-9
-    }
 }
 
 private fun swap(values: DoubleArray, weights: DoubleArray, one: Int, other: Int) {
@@ -188,3 +178,11 @@ private fun swap(values: DoubleArray, weights: DoubleArray, one: Int, other: Int
     weights[one] = weights[other]
     weights[other] = weight
 }
+
+private const val PARTS = 1024
+
+/** From this many values on, their range is divided into parts. */
+private const val MAX_UNDIVIDED = 64
+
+/** The upper limit of the relative difference between sums of the same weights in different orders. */
+private const val ROUNDING = 1e-9

@@ -173,12 +173,6 @@ private class WeightedValues(most: Int) {
         }
         if (kept > 0) size = kept else weights.fill(1.0)
     }
-
-    private companion object {
-        const val LOW = 0.05
-        const val MEDIAN = 0.5
-        const val HIGH = 0.95
-    }
 }
 
 /** Mean and standard deviation of weighted values, by West's recurrence (1979), which avoids the cancellation of sums of squares. */
@@ -207,3 +201,7 @@ public class Moments {
      */
     public val sampleStandardDeviation: Double get() = if (weight > 1) sqrt(squares / (weight - 1)) else Double.NaN
 }
+
+private const val LOW = 0.05
+private const val MEDIAN = 0.5
+private const val HIGH = 0.95

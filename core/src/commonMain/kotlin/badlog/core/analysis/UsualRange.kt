@@ -64,19 +64,17 @@ internal class UsualRange(positions: DoubleArray) {
         }
         return if (from <= to) from..to else null
     }
-
-    private companion object {
-        /** An outlier is this many times as far away as the others are from one another. */
-        const val OUTLIER_DISTANCE = 100.0
-
-        /** At most one in this many positions may be an outlier. */
-        const val POSITIONS_PER_OUTLIER = 100
-
-        /** One position in this many is ignored at each end when the spread of the others is measured. */
-        const val POSITIONS_PER_IGNORED = 20
-
-        /** With fewer positions than this, no position counts as an outlier. */
-        const val MIN_POSITIONS = 100
-        const val MAX_EXAMINED = 2000
-    }
 }
+
+/** An outlier is this many times as far away as the others are from one another. */
+private const val OUTLIER_DISTANCE = 100.0
+
+/** At most one in this many positions may be an outlier. */
+private const val POSITIONS_PER_OUTLIER = 100
+
+/** One position in this many is ignored at each end when the spread of the others is measured. */
+private const val POSITIONS_PER_IGNORED = 20
+
+/** With fewer positions than this, no position counts as an outlier. */
+private const val MIN_POSITIONS = 100
+private const val MAX_EXAMINED = 2000

@@ -158,9 +158,7 @@ private class HeaderText(private val asOriginal: Boolean) {
             else -> out.append(char)
         }
     }
-
-    private companion object {
-        const val SHORT = "\"\\/\b\u000c\n\r\t"
-        const val SHORT_LETTERS = "\"\\/bfnrt"
-    }
 }
+
+private const val SHORT = "\"\\/\b\u000c\n\r\t"
+private const val SHORT_LETTERS = "\"\\/bfnrt"

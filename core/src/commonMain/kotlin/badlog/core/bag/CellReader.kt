@@ -80,9 +80,7 @@ internal class CellReader {
     }
 
     private fun isBlank(byte: Int) = byte == SPACE || byte == TAB
-
-    private companion object {
-        const val LOWER_CASE = 32
-        const val MAX_WORD_LENGTH = "-infinity".length
-    }
 }
+
+private const val LOWER_CASE = 32
+private const val MAX_WORD_LENGTH = "-infinity".length

@@ -286,9 +286,7 @@ internal class ColumnBuilder(
         )
         return Topic(name, unit, attributes, samples, column ?: TextColumn.EMPTY, counts)
     }
-
-    private companion object {
-        const val FIRST_ROWS = 1024
-        const val QUOTED_BYTES = 60
-    }
 }
+
+private const val FIRST_ROWS = 1024
+private const val QUOTED_BYTES = 60

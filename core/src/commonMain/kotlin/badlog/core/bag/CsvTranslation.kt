@@ -223,18 +223,16 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
         if (outSize == out.size) out = out.copyOf(outSize * 2)
         out[outSize++] = byte.toByte()
     }
-
-    private companion object {
-        /** The maximum length of a cell with a number or a time. */
-        const val MAX_CELL = 64
-
-        /** The number of digits between two marks. */
-        const val GROUP = 3
-
-        /** The maximum length of a cell in bytes; the rest of a longer one is dropped. */
-        const val MAX_LINE = 1 shl 24
-
-        /** The length of a cell at which an open quote is ignored, so that it does not swallow the file. */
-        const val MAX_TEXT = 1 shl 16
-    }
 }
+
+/** The maximum length of a cell with a number or a time. */
+private const val MAX_CELL = 64
+
+/** The number of digits between two marks. */
+private const val GROUP = 3
+
+/** The maximum length of a cell in bytes; the rest of a longer one is dropped. */
+private const val MAX_LINE = 1 shl 24
+
+/** The length of a cell at which an open quote is ignored, so that it does not swallow the file. */
+private const val MAX_TEXT = 1 shl 16

@@ -65,9 +65,7 @@ public class RowBatchParser(readsDecimalComma: BooleanArray, private val keepSam
         out.put(if (pending.sawCarriageReturn) 1 else 0)
         return out.batch(Array(columns.size) { columns[it].writeTo(out) })
     }
-
-    private companion object {
-        const val SAMPLE_ROWS = 64
-        const val SPARE = 1 + 1.0 / 16
-    }
 }
+
+private const val SAMPLE_ROWS = 64
+private const val SPARE = 1 + 1.0 / 16

@@ -136,17 +136,15 @@ internal class RowReader(
         }
         return layout.order.map { index -> checkNotNull(topics[index]).also { reportColumn(columns[index], it, problems) } }
     }
-
-    private companion object {
-        const val MAX_SCAN_BYTES = 1 shl 20
-        const val MAX_ROW_BYTES = 1 shl 24
-        const val TOO_LONG = "A line of more than $MAX_ROW_BYTES bytes is not a row of samples; the rest of the file was not read."
-
-        /** The number of rows after which the total is first estimated. */
-        const val SAMPLE_ROWS = 64
-        const val MAX_GROWTH = 16L
-
-        /** Allows for later rows being a little shorter than earlier ones. */
-        const val SPARE = 1 + 1.0 / 64
-    }
 }
+
+private const val MAX_SCAN_BYTES = 1 shl 20
+private const val MAX_ROW_BYTES = 1 shl 24
+private const val TOO_LONG = "A line of more than $MAX_ROW_BYTES bytes is not a row of samples; the rest of the file was not read."
+
+/** The number of rows after which the total is first estimated. */
+private const val SAMPLE_ROWS = 64
+private const val MAX_GROWTH = 16L
+
+/** Allows for later rows being a little shorter than earlier ones. */
+private const val SPARE = 1 + 1.0 / 64

@@ -323,13 +323,11 @@ internal class RowRepair(
         for (i in from until until) if (this[i].toInt() == byte) count++
         return count
     }
-
-    private companion object {
-        const val NO_MATCH = -3
-
-        // For a damaged row the parser may look ahead, but never hold more than this.
-        const val MAX_LINES = 100
-        const val MAX_BYTES = 1 shl 16
-        const val QUOTED_BYTES = 200
-    }
 }
+
+private const val NO_MATCH = -3
+
+// For a damaged row the parser may look ahead, but never hold more than this.
+private const val MAX_LINES = 100
+private const val MAX_BYTES = 1 shl 16
+private const val QUOTED_BYTES = 200

@@ -156,22 +156,20 @@ internal class DecimalReader {
 
     private fun platformValue(bytes: ByteArray, from: Int, until: Int, point: Int): Double =
         bytes.decodeToString(from, until).replace(point.toChar(), '.').toDouble()
-
-    private companion object {
-        const val LOWER_CASE = 32
-
-        /** Every whole number of up to this many digits is exact in a double. */
-        const val EXACT_DIGITS = 15
-
-        /** 2^53: an odd number above it is not exact, whatever power of two it is multiplied by. */
-        const val EXACT = 1L shl 53
-        const val NO_EXPONENT = Int.MIN_VALUE
-        const val LARGE_EXPONENT = 100_000
-
-        /** 2²⁷ + 1 splits a double into two halves of 26 bits. */
-        const val SPLITTER = 134217729.0
-
-        /** 2⁻⁹⁶, above the error that at most three multiplications or divisions in double-double leave. */
-        const val TWOFOLD_ERROR = 1.262177448353619e-29
-    }
 }
+
+private const val LOWER_CASE = 32
+
+/** Every whole number of up to this many digits is exact in a double. */
+private const val EXACT_DIGITS = 15
+
+/** 2^53: an odd number above it is not exact, whatever power of two it is multiplied by. */
+private const val EXACT = 1L shl 53
+private const val NO_EXPONENT = Int.MIN_VALUE
+private const val LARGE_EXPONENT = 100_000
+
+/** 2²⁷ + 1 splits a double into two halves of 26 bits. */
+private const val SPLITTER = 134217729.0
+
+/** 2⁻⁹⁶, above the error that at most three multiplications or divisions in double-double leave. */
+private const val TWOFOLD_ERROR = 1.262177448353619e-29

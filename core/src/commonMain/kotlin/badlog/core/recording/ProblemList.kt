@@ -28,8 +28,6 @@ public class ProblemList {
      * times.
      */
     public fun toList(): List<Problem> = problems + overflow.values
-
-    private companion object {
-        const val MAX_LISTED = 10
-    }
 }
+
+private const val MAX_LISTED = 10

@@ -60,8 +60,6 @@ public class TextPool(private val decoder: TextDecoder) {
         for (i in text.indices) if (text[i] != bytes[from + i]) return false
         return true
     }
-
-    private companion object {
-        const val FREE = -1
-    }
 }
+
+private const val FREE = -1

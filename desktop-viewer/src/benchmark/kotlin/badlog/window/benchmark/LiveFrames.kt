@@ -91,12 +91,10 @@ private class GrowingLog(file: Path, bytes: Long) : AutoCloseable {
         writer.join()
         channel.close()
     }
-
-    private companion object {
-        const val TOPICS = 50
-        const val ROW_MILLIS = 20L
-    }
 }
 
 private const val ROUNDS = 60
 private const val WARM_UP = 10
+
+private const val TOPICS = 50
+private const val ROW_MILLIS = 20L

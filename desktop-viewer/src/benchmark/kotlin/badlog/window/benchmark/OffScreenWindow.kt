@@ -62,10 +62,8 @@ internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoClos
         scene.close()
         home.toFile().deleteRecursively()
     }
-
-    private companion object {
-        const val WIDTH = 1600
-        const val HEIGHT = 900
-        const val DISPLAY_NANOS = 1_000_000_000L / 120
-    }
 }
+
+private const val WIDTH = 1600
+private const val HEIGHT = 900
+private const val DISPLAY_NANOS = 1_000_000_000L / 120

@@ -57,9 +57,7 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
     }
 
     private fun drawn(graph: BoardGraph) = graph.lines to graph.isXy
-
-    private companion object {
-        /** The maximum number of remembered places. A person returns to fewer logs. */
-        const val MAX_PLACES = 100
-    }
 }
+
+/** The maximum number of remembered places. A person returns to fewer logs. */
+private const val MAX_PLACES = 100

@@ -147,10 +147,8 @@ internal class FocusRing(private val keyboard: Keyboard) : IndicationNodeFactory
             )
         }
     }
-
-    private companion object {
-        const val WIDTH = 2f
-        const val CORNER = 4f
-        const val PRESSED = 0.08f
-    }
 }
+
+private const val WIDTH = 2f
+private const val CORNER = 4f
+private const val PRESSED = 0.08f

@@ -94,10 +94,6 @@ internal class SettingsStore(private val own: OwnFiles, private val writes: File
         file.write(settings, written)
         written = settings
     }
-
-    private companion object {
-        const val QUIET_MILLIS = 400L
-    }
 }
 
 /**
@@ -137,3 +133,5 @@ private fun remedyFor(obstacle: Path) = if (Files.isDirectory(obstacle)) {
 } else {
     "rename the file $obstacle, because a folder must be there"
 }
+
+private const val QUIET_MILLIS = 400L

@@ -85,12 +85,6 @@ internal class FailureLog(cache: Path) {
         val system = listOf("os.name", "os.version", "os.arch", "java.version").joinToString(" ") { System.getProperty(it) }
         return "${LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS)} $system"
     }
-
-    private companion object {
-        /** The largest number of stored failures: a failure in each frame must not fill the disk. */
-        const val MAX_KNOWN = 50
-        const val MAX_BYTES = 1L shl 20
-    }
 }
 
 /** Makes the windows of [content] report failures to [failures] rather than close. */
@@ -123,3 +117,7 @@ internal suspend fun endWhenStuck(failures: Failures, isInSight: () -> Boolean, 
 }
 
 private val PATIENCE = 3.seconds
+
+/** The largest number of stored failures: a failure in each frame must not fill the disk. */
+private const val MAX_KNOWN = 50
+private const val MAX_BYTES = 1L shl 20

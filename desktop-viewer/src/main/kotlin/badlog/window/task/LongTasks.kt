@@ -76,10 +76,6 @@ internal class LongTasks(private val scope: CoroutineScope, private val notices:
             }
         }
     }
-
-    private companion object {
-        const val PROGRESS_MILLIS = 50L
-    }
 }
 
 /**
@@ -109,3 +105,5 @@ internal class FileWrites {
         val LONGEST = 3.seconds
     }
 }
+
+private const val PROGRESS_MILLIS = 50L

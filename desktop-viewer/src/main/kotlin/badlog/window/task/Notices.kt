@@ -46,10 +46,6 @@ internal class Notices {
         while (mutable.size >= MAX_NOTICES) mutable.removeAt(0)
         mutable += Notice(++lastId, text, isError, action)
     }
-
-    private companion object {
-        const val MAX_NOTICES = 3
-    }
 }
 
 /**
@@ -72,3 +68,5 @@ internal fun openAction(place: Path, scope: CoroutineScope, notices: Notices): N
         }
     }
 }
+
+private const val MAX_NOTICES = 3

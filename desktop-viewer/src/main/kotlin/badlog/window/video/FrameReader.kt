@@ -189,13 +189,6 @@ internal class FramePicture : AutoCloseable {
         // An immutable bitmap is drawn without a copy.
         setImmutable()
     }
-
-    private companion object {
-        const val BYTES = 4
-
-        /** The longest side in pixels: larger than the panel on most screens; a 4K picture would take 33 MB. */
-        const val MAX_SIDE = 1280.0
-    }
 }
 
 /** Returns the clockwise rotation in quarter turns for a video with [parameters]. */
@@ -208,3 +201,8 @@ internal fun quarterTurns(parameters: AVCodecParameters): Int {
 
 private const val QUARTER = 90
 private const val FULL = 4
+
+private const val BYTES = 4
+
+/** The longest side in pixels: larger than the panel on most screens; a 4K picture would take 33 MB. */
+private const val MAX_SIDE = 1280.0

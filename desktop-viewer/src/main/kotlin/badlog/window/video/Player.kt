@@ -51,11 +51,6 @@ internal class Player(private val current: CurrentRecording, private val view: A
         val from = x - visible.width * LEAD
         view.send(PlaceAction.Move(from, from + visible.width))
     }
-
-    private companion object {
-        const val MAX_STEP = 0.25
-        const val LEAD = 0.1
-    }
 }
 
 /** Advances [player] frame by frame, while it plays. */
@@ -114,3 +109,6 @@ internal data class Playback(val isPlaying: Boolean = false, val speed: Double =
      */
     data class Step(val cursor: Double, val playback: Playback)
 }
+
+private const val MAX_STEP = 0.25
+private const val LEAD = 0.1

@@ -200,18 +200,16 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
 
         fun close() = av_frame_free(frame)
     }
-
-    private companion object {
-        const val MICROS = 1e6
-        const val THREADS = 2
-
-        /** The tolerance of times in seconds. Alignments are rounded to it; no camera has shorter frames. */
-        const val TOLERANCE = 1e-4
-
-        /** The longest distance in seconds that is decoded instead of jumped over. */
-        const val NEAR = 0.5
-    }
 }
 
 /** The reason why a video cannot be shown; its [message] is one sentence for a person. */
 internal class VideoException(message: String, cause: Throwable? = null) : Exception(message, cause)
+
+private const val MICROS = 1e6
+private const val THREADS = 2
+
+/** The tolerance of times in seconds. Alignments are rounded to it; no camera has shorter frames. */
+private const val TOLERANCE = 1e-4
+
+/** The longest distance in seconds that is decoded instead of jumped over. */
+private const val NEAR = 0.5

@@ -315,30 +315,28 @@ internal class RealWindow(
             Thread.sleep(POLL_MILLIS)
         }
     }
-
-    private companion object {
-        const val WAIT_MILLIS = 180_000L
-        const val POLL_MILLIS = 20L
-
-        /** The time for which a person holds a dragged element before and after moving it. */
-        const val HOLD_MILLIS = 300
-
-        /** A place beyond any window. */
-        const val FAR = 5000
-
-        /** The number of looks, one every [POLL_MILLIS], after which an element that has not moved can be clicked. */
-        const val REST_LOOKS = 8
-
-        /** The number of looks whether a drop was taken, before the drag is repeated. */
-        const val DROP_LOOKS = 500
-
-        /** Clicks within this time are a double click. */
-        const val DOUBLE_CLICK_MILLIS = 300L
-
-        /** The longest time that a picture is on its way to the screen, for published pictures. */
-        const val PICTURE_MILLIS = 400L
-
-        /** The usual time that a picture is on its way to the screen. */
-        const val LOOK_MILLIS = 150L
-    }
 }
+
+private const val WAIT_MILLIS = 180_000L
+private const val POLL_MILLIS = 20L
+
+/** The time for which a person holds a dragged element before and after moving it. */
+private const val HOLD_MILLIS = 300
+
+/** A place beyond any window. */
+private const val FAR = 5000
+
+/** The number of looks, one every [POLL_MILLIS], after which an element that has not moved can be clicked. */
+private const val REST_LOOKS = 8
+
+/** The number of looks whether a drop was taken, before the drag is repeated. */
+private const val DROP_LOOKS = 500
+
+/** Clicks within this time are a double click. */
+private const val DOUBLE_CLICK_MILLIS = 300L
+
+/** The longest time that a picture is on its way to the screen, for published pictures. */
+private const val PICTURE_MILLIS = 400L
+
+/** The usual time that a picture is on its way to the screen. */
+private const val LOOK_MILLIS = 150L

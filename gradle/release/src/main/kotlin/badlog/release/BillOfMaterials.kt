@@ -72,10 +72,6 @@ internal class BillOfMaterials(
         licenses = LicenseChoice().apply { expression = Expression("GPL-2.0-only WITH Classpath-exception-2.0") }
         properties = listOf("badlog", "badlog-viewer").map { Property("badlog:program", it) }
     }
-
-    private companion object {
-        const val MILLIS = 1_000L
-    }
 }
 
 private fun Component.licensedUnder(names: List<String>) {
@@ -88,3 +84,5 @@ private fun Component.licensedUnder(names: List<String>) {
 
 /** Returns the SHA-256 of [bytes], in 64 hexadecimal digits. */
 internal fun sha256Of(bytes: ByteArray): String = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes))
+
+private const val MILLIS = 1_000L

@@ -61,12 +61,10 @@ internal class Frame(private val contents: Contents) {
     }
 
     private fun link(from: String, to: String): String = relativeAddress(from, to)
-
-    private companion object {
-        /** The maximum length of a description that search engines show. */
-        const val SUMMARY = 160
-    }
 }
 
 /** Returns [text] escaped for HTML, also inside quotes. */
 internal fun escape(text: String): String = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
+
+/** The maximum length of a description that search engines show. */
+private const val SUMMARY = 160

@@ -50,8 +50,6 @@ internal class Base64Stream(private val out: OutputStream) {
         sums += crc.value.toInt()
         crc.reset()
     }
-
-    private companion object {
-        const val GROUPS = 1 shl 14
-    }
 }
+
+private const val GROUPS = 1 shl 14

@@ -35,9 +35,7 @@ internal class GzipEmbedding(
     }
 
     private fun awaitFirst(): Piece = inFlight.removeFirst().also { piece -> piece.parsing?.let(ExportThreads::await) }
-
-    private companion object {
-        const val SIZE = 1 shl 18
-        const val IN_FLIGHT = 4
-    }
 }
+
+private const val SIZE = 1 shl 18
+private const val IN_FLIGHT = 4

@@ -163,8 +163,6 @@ class HtmlExporter(
 
     private fun embed(file: Path, threads: ExportThreads, write: ((Base64Stream) -> EmbeddedFile) -> Unit) =
         reading(file) { Files.newInputStream(file) }.use { stream -> write { RawEmbedding(threads, it).embed(ReadGuard(file, stream)) } }
-
-    private companion object {
-        const val MANY_BYTES = 4_000_000L
-    }
 }
+
+private const val MANY_BYTES = 4_000_000L

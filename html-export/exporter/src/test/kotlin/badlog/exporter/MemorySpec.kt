@@ -44,8 +44,6 @@ class MemorySpec : FunSpec({
     test("memory does not grow with the inflated size of a compressed file") {
         exportIn("-Xmx24m", gzips = true) shouldBe 0
     }
-}) {
-    private companion object {
-        const val MEGABYTES = 60
-    }
-}
+})
+
+private const val MEGABYTES = 60

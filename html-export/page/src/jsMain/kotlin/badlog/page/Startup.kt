@@ -163,11 +163,9 @@ internal class Startup {
     } catch (_: Throwable) {
         // Pages in some frames have no address of their own.
     }
-
-    private companion object {
-        /** The milliseconds between two checks for newly arrived text. */
-        const val PAUSE = 5
-
-        const val DAMAGED = "Damaged in copying: anything shown may be wrong. No rules ran. Export it again."
-    }
 }
+
+/** The milliseconds between two checks for newly arrived text. */
+private const val PAUSE = 5
+
+private const val DAMAGED = "Damaged in copying: anything shown may be wrong. No rules ran. Export it again."

@@ -53,13 +53,11 @@ internal class Downloads(private val pace: Pace, private val clock: Clock) {
 
         override fun close(): Unit = synchronized(this@Downloads) { thread = null }
     }
-
-    private companion object {
-        const val LIMIT = 2
-
-        /** The size of a part. One takes 16 ms, short enough for a smooth download, and long enough to spare the processor. */
-        const val BUFFER_BYTES = 16 * 1024
-
-        const val PATIENCE_NANOS = 10_000_000_000L
-    }
 }
+
+private const val LIMIT = 2
+
+/** The size of a part. One takes 16 ms, short enough for a smooth download, and long enough to spare the processor. */
+private const val BUFFER_BYTES = 16 * 1024
+
+private const val PATIENCE_NANOS = 10_000_000_000L

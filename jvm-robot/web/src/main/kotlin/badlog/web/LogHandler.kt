@@ -156,20 +156,18 @@ internal class LogHandler(
     }
 
     private operator fun Headers.set(name: String, value: String) = set(name, value)
-
-    private companion object {
-        const val OK = 200
-        const val PARTIAL = 206
-        const val NOT_MODIFIED = 304
-        const val NO_BODY = -1L
-
-        /**
-         * The number of bytes at the end of a running log that may be read while the robot is enabled. That is half a minute of a log with
-         * fifty numbers per loop.
-         */
-        const val TAIL_BYTES = 1024 * 1024
-
-        /** The maximum time since the last write of a running log. */
-        const val RUNNING_MILLIS = 10_000
-    }
 }
+
+private const val OK = 200
+private const val PARTIAL = 206
+private const val NOT_MODIFIED = 304
+private const val NO_BODY = -1L
+
+/**
+ * The number of bytes at the end of a running log that may be read while the robot is enabled. That is half a minute of a log with
+ * fifty numbers per loop.
+ */
+private const val TAIL_BYTES = 1024 * 1024
+
+/** The maximum time since the last write of a running log. */
+private const val RUNNING_MILLIS = 10_000

@@ -31,9 +31,7 @@ internal class ServedPage {
     fun open(): InputStream = checkNotNull(ServedPage::class.java.getResourceAsStream(RESOURCE)) {
         "$RESOURCE is missing in this build of badlog."
     }
-
-    private companion object {
-        const val RESOURCE = "/badlog/web/logs.html.gz"
-        const val BUFFER_BYTES = 8192
-    }
 }
+
+private const val RESOURCE = "/badlog/web/logs.html.gz"
+private const val BUFFER_BYTES = 8192

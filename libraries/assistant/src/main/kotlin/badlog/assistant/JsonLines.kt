@@ -64,9 +64,7 @@ internal class JsonLines(input: InputStream, private val onOther: () -> Unit) : 
     } catch (_: SerializationException) {
         false
     }
-
-    private companion object {
-        const val BYTE = 0xFF
-        const val LINE_FEED = 10
-    }
 }
+
+private const val BYTE = 0xFF
+private const val LINE_FEED = 10

@@ -30,8 +30,6 @@ internal class MessageLines(private val out: OutputStream) : OutputStream() {
         pending.writeTo(out)
         out.close()
     }
-
-    private companion object {
-        const val LINE_FEED: Byte = 10
-    }
 }
+
+private const val LINE_FEED: Byte = 10

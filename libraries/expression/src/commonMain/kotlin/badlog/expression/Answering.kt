@@ -156,8 +156,6 @@ internal class Answering(private val text: String, private val root: Node, priva
     }
 
     private fun shownUnit(unit: String) = if (Units.isNone(unit)) "" else unit
-
-    private companion object {
-        const val MAX_QUANTITIES = 8
-    }
 }
+
+private const val MAX_QUANTITIES = 8

@@ -159,9 +159,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
         if (isSetBack && stretches == null) stretches = Stretches(series.x)
         return if (isSetBack) stretches else null
     }
-
-    private companion object {
-        /** In seconds: the usual period of a robot's loop. */
-        const val STEP = 0.02
-    }
 }
+
+/** In seconds: the usual period of a robot's loop. */
+private const val STEP = 0.02

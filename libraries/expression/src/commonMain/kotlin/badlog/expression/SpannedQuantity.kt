@@ -44,8 +44,6 @@ internal class SpannedQuantity(private val quantity: Quantity, private val sampl
         }
         return if (place < 0) NONE else place
     }
-
-    private companion object {
-        const val NONE = -1
-    }
 }
+
+private const val NONE = -1

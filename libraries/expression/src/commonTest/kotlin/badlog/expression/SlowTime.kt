@@ -56,8 +56,6 @@ internal class SlowTime(private val signals: Signals, private val noise: Noise) 
             },
         )
     }
-
-    private companion object {
-        const val WITHOUT_TICKS = 1L shl 36
-    }
 }
+
+private const val WITHOUT_TICKS = 1L shl 36

@@ -24,8 +24,6 @@ internal class BandwidthLimit(
         val millis = TimeUnit.NANOSECONDS.toMillis(due - now())
         if (millis > 0) sleep(millis)
     }
-
-    private companion object {
-        const val NANOS = 1_000_000_000L
-    }
 }
+
+private const val NANOS = 1_000_000_000L

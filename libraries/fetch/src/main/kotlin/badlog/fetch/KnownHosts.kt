@@ -52,8 +52,6 @@ class KnownHosts(private val file: Path, private val whenNotStored: (UnwritableF
     }
 
     private fun hostOf(address: RobotAddress) = if (address.port == DEFAULT_PORT) address.host else "[${address.host}]:${address.port}"
-
-    private companion object {
-        const val DEFAULT_PORT = 22
-    }
 }
+
+private const val DEFAULT_PORT = 22

@@ -126,11 +126,6 @@ class LogFetch internal constructor(
             state?.close()
         }
     }
-
-    private companion object {
-        /** The number of connections in succession that may be lost without a byte transferred. */
-        const val TRIES = 3
-    }
 }
 
 /** Thrown if the robot was enabled while logs were being copied. */
@@ -145,3 +140,6 @@ private fun reasonOf(e: IOException): String = (e.message ?: e.cause?.message)?.
 private fun safeReason(text: String) = text.filter { !it.isISOControl() }.take(MAX_REASON)
 
 private const val MAX_REASON = 100
+
+/** The number of connections in succession that may be lost without a byte transferred. */
+private const val TRIES = 3

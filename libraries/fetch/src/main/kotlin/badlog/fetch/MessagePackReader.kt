@@ -36,21 +36,19 @@ internal class MessagePackReader(private val bytes: ByteBuffer) {
     }
 
     private fun unsigned() = bytes.get().toInt() and BYTE_END
-
-    private companion object {
-        const val POSITIVE_END = 0x7F
-        const val FIX_ARRAY = 0x90
-        const val FIX_ARRAY_END = 0x9F
-        const val BINARY_8 = 0xC4
-        const val UINT_8 = 0xCC
-        const val UINT_16 = 0xCD
-        const val UINT_32 = 0xCE
-        const val UINT_64 = 0xCF
-        const val INT_8 = 0xD0
-        const val INT_16 = 0xD1
-        const val INT_32 = 0xD2
-        const val INT_64 = 0xD3
-        const val NEGATIVE = 0xE0
-        const val BYTE_END = 0xFF
-    }
 }
+
+private const val POSITIVE_END = 0x7F
+private const val FIX_ARRAY = 0x90
+private const val FIX_ARRAY_END = 0x9F
+private const val BINARY_8 = 0xC4
+private const val UINT_8 = 0xCC
+private const val UINT_16 = 0xCD
+private const val UINT_32 = 0xCE
+private const val UINT_64 = 0xCF
+private const val INT_8 = 0xD0
+private const val INT_16 = 0xD1
+private const val INT_32 = 0xD2
+private const val INT_64 = 0xD3
+private const val NEGATIVE = 0xE0
+private const val BYTE_END = 0xFF

@@ -112,12 +112,10 @@ internal class RobotLogin(
     }
 
     override fun close() = client.close(true).let { }
-
-    private companion object {
-        /** The maximum number of questions for a password, as in other programs. */
-        const val TRIES = 3
-
-        /** The library's message when there is no password left to try. */
-        const val REFUSAL = "No more authentication methods"
-    }
 }
+
+/** The maximum number of questions for a password, as in other programs. */
+private const val TRIES = 3
+
+/** The library's message when there is no password left to try. */
+private const val REFUSAL = "No more authentication methods"

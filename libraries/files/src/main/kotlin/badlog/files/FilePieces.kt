@@ -63,15 +63,13 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
         }
         buffer.position()
     }
-
-    private companion object {
-        // Larger pieces are not faster.
-        const val SIZE = 1 shl 18
-        const val STEP = 1L shl 20
-
-        /** The maximum ratio of inflated to compressed size. A log with a larger ratio has lost its trailer. */
-        const val MAX_INFLATION = 40
-        const val LINE_FEED = '\n'.code.toByte()
-        const val CARRIAGE_RETURN = '\r'.code.toByte()
-    }
 }
+
+// Larger pieces are not faster.
+private const val SIZE = 1 shl 18
+private const val STEP = 1L shl 20
+
+/** The maximum ratio of inflated to compressed size. A log with a larger ratio has lost its trailer. */
+private const val MAX_INFLATION = 40
+private const val LINE_FEED = '\n'.code.toByte()
+private const val CARRIAGE_RETURN = '\r'.code.toByte()

@@ -60,8 +60,6 @@ private class Around(private val isWanted: (String) -> Boolean) {
     }
 
     private fun next() = if (++seen < MAX_ENTRIES) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
-
-    private companion object {
-        const val MAX_ENTRIES = 5000
-    }
 }
+
+private const val MAX_ENTRIES = 5000

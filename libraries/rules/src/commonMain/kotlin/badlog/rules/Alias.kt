@@ -26,8 +26,6 @@ internal class Alias(val name: String, val names: List<NamePattern>, val unit: S
         val scale = if (!Units.isNone(signal.unit)) unitScale(signal.unit, wanted) ?: return null else 1.0.takeIf { wanted != PERCENT }
         return NamedSignal(name, listOf(ScaledSignal(signal, scale, NamedSignal.wholeIn(wanted))), wanted)
     }
-
-    private companion object {
-        const val PERCENT = "%"
-    }
 }
+
+private const val PERCENT = "%"

@@ -53,11 +53,9 @@ internal class Messages(private val question: RuleProgram.Question, private val 
         val head = (if (end < 0) message else message.take(end)).trim()
         return if (head.length > MAX_LETTERS) head.take(MAX_LETTERS) + "…" else head
     }
-
-    private companion object {
-        /** The separator of messages that share a cell; a message may have it, too. */
-        const val BETWEEN = "; "
-        const val FEW_LETTERS = 20
-        const val MAX_LETTERS = 300
-    }
 }
+
+/** The separator of messages that share a cell; a message may have it, too. */
+private const val BETWEEN = "; "
+private const val FEW_LETTERS = 20
+private const val MAX_LETTERS = 300

@@ -191,20 +191,18 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         }
         return name?.let { Messages(question, signals, it) }
     }
-
-    private companion object {
-        /** The maximum number of different texts of a topic that are listed for a rule. */
-        const val MAX_TEXTS = 20
-        const val PERCENT = 100.0
-
-        /** In seconds, the unit of nearly all logs. */
-        const val SAME_EVENT = 1.0
-
-        const val MAX_CAVEATS = 2
-        const val MAX_STEPS = 2000
-        const val MIN_STEPS = 20
-
-        /** A loop takes 0.02 s; topics that are sampled more rarely miss something, in s. */
-        const val LONG_STEP = 0.045
-    }
 }
+
+/** The maximum number of different texts of a topic that are listed for a rule. */
+private const val MAX_TEXTS = 20
+private const val PERCENT = 100.0
+
+/** In seconds, the unit of nearly all logs. */
+private const val SAME_EVENT = 1.0
+
+private const val MAX_CAVEATS = 2
+private const val MAX_STEPS = 2000
+private const val MIN_STEPS = 20
+
+/** A loop takes 0.02 s; topics that are sampled more rarely miss something, in s. */
+private const val LONG_STEP = 0.045

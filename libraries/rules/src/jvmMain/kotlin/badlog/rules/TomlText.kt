@@ -97,9 +97,7 @@ internal class TomlText(source: String) {
     }
 
     fun fail(place: RulePlace, message: String): Nothing = throw RulesException(place.lineNumber, place.pointed(message))
-
-    private companion object {
-        /** The character with which some Windows editors begin a file. */
-        const val BYTE_ORDER_MARK = "\uFEFF"
-    }
 }
+
+/** The character with which some Windows editors begin a file. */
+private const val BYTE_ORDER_MARK = "\uFEFF"

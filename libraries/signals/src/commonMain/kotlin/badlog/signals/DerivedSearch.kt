@@ -152,16 +152,14 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
             }
         }
     }
-
-    private companion object {
-        const val DEGREE = PI / 180
-        const val SHOWN = 4
-
-        /** The share of the others' current below which a drive motor is weak. */
-        const val WEAK = 0.82
-        const val TOTAL_CURRENT = "total current"
-
-        /** The rating of the largest breakers of a power distribution's channels, in A. */
-        const val HARD_PULL = 40.0
-    }
 }
+
+private const val DEGREE = PI / 180
+private const val SHOWN = 4
+
+/** The share of the others' current below which a drive motor is weak. */
+private const val WEAK = 0.82
+private const val TOTAL_CURRENT = "total current"
+
+/** The rating of the largest breakers of a power distribution's channels, in A. */
+private const val HARD_PULL = 40.0

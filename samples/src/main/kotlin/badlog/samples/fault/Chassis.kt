@@ -58,11 +58,6 @@ internal enum class Chassis {
     abstract fun createTopics(log: BagLog, robot: Robot, mishaps: Mishaps, noise: Noise): (time: Double) -> Unit
 
     protected fun linked(one: String, other: String = "$one Follower") = "[[linked]]\nmotors = [\"$one\", \"$other\"]\n\n"
-
-    private companion object {
-        const val LEADER = 2
-        const val FOLLOWER = 13
-    }
 }
 
 /** One of four modules: motor [motor] of [side]. A fault of a side affects its first module. */
@@ -107,10 +102,11 @@ private class SwerveModule(
         position += actual * seconds
         velocity = if (actual == 0.0) 0.0 else actual + noise.around(DEVIATION)
     }
-
-    private companion object {
-        const val LEAD = 0.05
-        const val RESTING = 0.002
-        const val DEVIATION = 0.01
-    }
 }
+
+private const val LEADER = 2
+private const val FOLLOWER = 13
+
+private const val LEAD = 0.05
+private const val RESTING = 0.002
+private const val DEVIATION = 0.01

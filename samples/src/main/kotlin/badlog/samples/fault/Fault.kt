@@ -104,10 +104,6 @@ enum class Fault(val title: String) {
 
     /** Plants the fault in [plan]; a faint one may leave nothing to find in the log. */
     internal abstract fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean)
-
-    private companion object {
-        const val EXCEPTION = "ERROR: Unhandled exception: java.lang.NullPointerException: Cannot invoke \"Pose2d.getX()\""
-    }
 }
 
 /** The plan of a simulated match before it begins. */
@@ -129,10 +125,6 @@ internal class MatchPlan(val chassis: Chassis, var battery: Battery, val orders:
         orders += Order(at + seconds + BACK_OFF, before.task, before.state)
         orders.sortBy { it.at }
     }
-
-    private companion object {
-        const val BACK_OFF = 0.8
-    }
 }
 
 internal fun Noise.timeIn(from: Double, until: Double): Double = from + unit() * (until - from)
@@ -140,3 +132,7 @@ internal fun Noise.timeIn(from: Double, until: Double): Double = from + unit() *
 internal fun Noise.upTo(count: Int): Int = (unit() * count).toInt()
 
 private fun Noise.side() = if (unit() < 0.5) Side.LEFT else Side.RIGHT
+
+private const val EXCEPTION = "ERROR: Unhandled exception: java.lang.NullPointerException: Cannot invoke \"Pose2d.getX()\""
+
+private const val BACK_OFF = 0.8

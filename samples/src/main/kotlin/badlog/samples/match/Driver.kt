@@ -115,10 +115,8 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
         val most = rate * loopSeconds
         return now + (wanted - now).coerceIn(-most, most)
     }
-
-    private companion object {
-        // The resistance of a wall, in N·s/m, like the robot's obstacle.
-        const val WALL = 12_000.0
-        const val SCORING_DISTANCE = 1.25
-    }
 }
+
+// The resistance of a wall, in N·s/m, like the robot's obstacle.
+private const val WALL = 12_000.0
+private const val SCORING_DISTANCE = 1.25

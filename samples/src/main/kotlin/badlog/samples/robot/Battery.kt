@@ -34,8 +34,6 @@ class Battery(private val ohms: Double, private val slowOhms: Double, private va
     }
 
     private fun restingVolts() = 11.6 + 1.2 * charge
-
-    private companion object {
-        const val SLOW_SECONDS = 2.5
-    }
 }
+
+private const val SLOW_SECONDS = 2.5

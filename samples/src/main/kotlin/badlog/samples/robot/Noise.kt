@@ -18,11 +18,9 @@ class Noise(seed: Long) {
 
     /** Returns a nearly normally distributed number around 0 with the standard deviation [deviation]. */
     fun around(deviation: Double): Double = (unit() + unit() + unit() + unit() - 2) * ROOT_OF_3 * deviation
-
-    private companion object {
-        const val UNIT = 1.0 / (1L shl 53)
-
-        // The sum of four evenly distributed numbers has a variance of 4/12.
-        const val ROOT_OF_3 = 1.7320508075688772
-    }
 }
+
+private const val UNIT = 1.0 / (1L shl 53)
+
+// The sum of four evenly distributed numbers has a variance of 4/12.
+private const val ROOT_OF_3 = 1.7320508075688772

@@ -88,15 +88,6 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
             arm.move(step)
         }
     }
-
-    private companion object {
-        // The elevator's stiff motors need steps shorter than a loop.
-        const val STEPS = 5
-
-        // The pressure that a move of the shifter or the grabber costs, in psi.
-        const val SHIFT = 0.9
-        const val GRAB = 1.6
-    }
 }
 
 /**
@@ -113,3 +104,10 @@ enum class Superstructure(val height: Double, val angle: Double, val rollers: Do
     RAISING(1.36, 35.0, 0.12),
     SCORING(1.36, 12.0, -0.7),
 }
+
+// The elevator's stiff motors need steps shorter than a loop.
+private const val STEPS = 5
+
+// The pressure that a move of the shifter or the grabber costs, in psi.
+private const val SHIFT = 0.9
+private const val GRAB = 1.6

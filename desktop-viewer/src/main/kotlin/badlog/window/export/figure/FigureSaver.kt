@@ -93,13 +93,6 @@ internal class FigureSaver(
         // The pointer's place is accidental, and does not belong in a figure.
         view.cursors.withoutPointer,
     )
-
-    private companion object {
-        const val LONE_HEIGHT = 320
-
-        /** The maximum number of graphs in a readable picture. */
-        const val MAX_COPIED = 8
-    }
 }
 
 /** The number of pixels per point in a picture, so that it is sharp in print and on high-density screens. */
@@ -189,3 +182,8 @@ private class Picture(private val image: AwtImage) : Transferable {
     override fun getTransferData(flavor: DataFlavor): Any =
         if (isDataFlavorSupported(flavor)) image else throw UnsupportedFlavorException(flavor)
 }
+
+private const val LONE_HEIGHT = 320
+
+/** The maximum number of graphs in a readable picture. */
+private const val MAX_COPIED = 8

@@ -49,20 +49,6 @@ internal class WindowOnScreen(private val process: Process, private val output: 
         robot.mousePress(InputEvent.BUTTON1_DOWN_MASK)
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
     }
-
-    private companion object {
-        const val WIDTH = 1600
-        const val HEIGHT = 1000
-        const val PATIENCE_MINUTES = 2L
-        const val POLL_MILLIS = 500L
-        const val STEP_MILLIS = 60
-        const val STEPS = 10
-        const val FROM = 0.54
-        const val TO = 0.76
-        const val MIDDLE = 0.63
-        const val VIDEO_FROM_RIGHT = 314
-        const val VIDEO_FROM_TOP = 18
-    }
 }
 
 /** A picture of the screen. */
@@ -82,8 +68,18 @@ internal class Picture(val image: BufferedImage) {
         val (top, bottom) = seen.first() / image.width to seen.last() / image.width
         return Rectangle(left, top, right - left + 1, bottom - top + 1)
     }
-
-    private companion object {
-        const val WITHOUT_ALPHA = 0xFFFFFF
-    }
 }
+
+private const val WIDTH = 1600
+private const val HEIGHT = 1000
+private const val PATIENCE_MINUTES = 2L
+private const val POLL_MILLIS = 500L
+private const val STEP_MILLIS = 60
+private const val STEPS = 10
+private const val FROM = 0.54
+private const val TO = 0.76
+private const val MIDDLE = 0.63
+private const val VIDEO_FROM_RIGHT = 314
+private const val VIDEO_FROM_TOP = 18
+
+private const val WITHOUT_ALPHA = 0xFFFFFF

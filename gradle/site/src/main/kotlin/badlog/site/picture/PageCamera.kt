@@ -94,12 +94,10 @@ internal class PageCamera(private val page: Path, private val width: Int, privat
         it.sendResponseHeaders(HTTP_OK, if (body.isEmpty()) -1 else body.size.toLong())
         it.responseBody.use { out -> out.write(body) }
     }
-
-    private companion object {
-        const val HTTP_OK = 200
-        const val WAIT_SECONDS = 60L
-
-        /** The time after which a ready page has drawn everything, and its rules have run. */
-        const val DRAW_MILLIS = 3000
-    }
 }
+
+private const val HTTP_OK = 200
+private const val WAIT_SECONDS = 60L
+
+/** The time after which a ready page has drawn everything, and its rules have run. */
+private const val DRAW_MILLIS = 3000

@@ -336,9 +336,7 @@ internal class LogPage(
         values.refresh()
         if (evidence.cards.isEmpty()) inSight.showAny()
     }
-
-    private companion object {
-        /** The minimum height of almost all graphs, in pixels. */
-        const val LOWEST = 100
-    }
 }
+
+/** The minimum height of almost all graphs, in pixels. */
+private const val LOWEST = 100

@@ -75,9 +75,7 @@ internal class PageRules(
         section.found = RuleResults(found.findings + embedded, found.skipped, incidents, found.ran)
         return incidents
     }
-
-    private companion object {
-        /** The minimum number of milliseconds between two runs over a log that is followed. */
-        const val PAUSE = 400
-    }
 }
+
+/** The minimum number of milliseconds between two runs over a log that is followed. */
+private const val PAUSE = 400

@@ -123,11 +123,9 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
         document.body?.classList?.remove("is-dragging")
         mark(null)
     }
-
-    private companion object {
-        const val GAP = 10
-        const val EDGE_TOP = 120
-        const val EDGE_BOTTOM = 40
-        const val SCROLL = 16.0
-    }
 }
+
+private const val GAP = 10
+private const val EDGE_TOP = 120
+private const val EDGE_BOTTOM = 40
+private const val SCROLL = 16.0

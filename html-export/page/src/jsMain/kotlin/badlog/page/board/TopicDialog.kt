@@ -105,9 +105,7 @@ internal class TopicDialog(private val scene: Scene) {
         board.now.graphs.any { if (graph == null) it.lines == listOf(name) else it.id == graph && name in it.lines }
 
     private fun toggle(name: String) = board.send(graph?.let { GraphChange.ToggleLine(it, name) } ?: GraphChange.ToggleOwn(name))
-
-    private companion object {
-        /** The maximum number of names listed at once. */
-        const val MAX_LISTED = 100
-    }
 }
+
+/** The maximum number of names listed at once. */
+private const val MAX_LISTED = 100

@@ -116,9 +116,7 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
         val name = LogName(match.event, match.match, view.title ?: file, path)
         return Log(id, files, path, view, name, LogMoments(view.xAxis.range?.start ?: 0.0, view.enabledSpans().firstOrNull()?.span?.from))
     }
-
-    private companion object {
-        /** The page's own log. */
-        const val OPEN = 0
-    }
 }
+
+/** The page's own log. */
+private const val OPEN = 0

@@ -39,8 +39,6 @@ internal class BlobParts {
         parts = ArrayList()
         length = 0
     }
-
-    private companion object {
-        const val HELD = 1 shl 23
-    }
 }
+
+private const val HELD = 1 shl 23

@@ -28,9 +28,7 @@ internal class CsvPart(private val hasHeaderLine: Boolean) {
         }
         return chunk.copyOfRange(at, chunk.size)
     }
-
-    private companion object {
-        const val LINE_FEED = 10
-        const val CARRIAGE_RETURN = 13
-    }
 }
+
+private const val LINE_FEED = 10
+private const val CARRIAGE_RETURN = 13

@@ -129,8 +129,6 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
             if (skipped < bytes.size) give(bytes.copyOfRange(skipped, bytes.size))
         }.run()
     }
-
-    private companion object {
-        const val QUIET_MILLISECONDS = 300
-    }
 }
+
+private const val QUIET_MILLISECONDS = 300

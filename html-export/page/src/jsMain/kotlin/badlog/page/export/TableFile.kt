@@ -62,11 +62,9 @@ private class TableSlices(private val draft: CsvDraft, private val notice: Notic
         notice.show("$what the table: ${(share * TENTHS).toInt() * 10} %") { isCancelled = true }
         window.setTimeout(::next, 0)
     }
-
-    private companion object {
-        /** The duration of a slice, in milliseconds. */
-        const val SLICE = 40
-        const val FAST_MILLISECONDS = 5
-        const val TENTHS = 10.0
-    }
 }
+
+/** The duration of a slice, in milliseconds. */
+private const val SLICE = 40
+private const val FAST_MILLISECONDS = 5
+private const val TENTHS = 10.0

@@ -131,9 +131,7 @@ internal class FolderList(
     }
 
     private fun remembered() = LocalStorage[key]?.split('\n').orEmpty()
-
-    private companion object {
-        /** The maximum number of listed graphs that a search draws. */
-        const val MAX_DRAWN = 12
-    }
 }
+
+/** The maximum number of listed graphs that a search draws. */
+private const val MAX_DRAWN = 12

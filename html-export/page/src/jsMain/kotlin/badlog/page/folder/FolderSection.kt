@@ -296,11 +296,6 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
         more.isHidden = found.size <= limit
         more.showText("Show more (${countText(found.size - limit)} left)")
     }
-
-    private companion object {
-        /** The number of rows added at a time; a browser is slow with more than a few thousand. */
-        const val PAGE = 300
-    }
 }
 
 /** The [values] of a folder, see [valueRows]. */
@@ -321,3 +316,6 @@ internal class ValueList(private val values: List<Value>, scene: Scene) {
         return rows.rows.size
     }
 }
+
+/** The number of rows added at a time; a browser is slow with more than a few thousand. */
+private const val PAGE = 300

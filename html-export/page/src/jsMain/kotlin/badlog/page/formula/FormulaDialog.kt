@@ -156,9 +156,7 @@ internal class FormulaDialog(
         listOwn()
         if (changed == definition) edit(null) else input.focus()
     }
-
-    private companion object {
-        const val LETTERS_BEFORE = 8
-        const val LETTER_WIDTH = 7.2
-    }
 }
+
+private const val LETTERS_BEFORE = 8
+private const val LETTER_WIDTH = 7.2

@@ -111,10 +111,8 @@ internal class FormulaGraphs(
     private fun removeGraph(name: String) {
         folders.remove(name)?.let(graphs::remove)
     }
-
-    private companion object {
-        /** The milliseconds before progress is shown. */
-        const val PATIENCE = 500
-        const val PERCENT = 100
-    }
 }
+
+/** The milliseconds before progress is shown. */
+private const val PATIENCE = 500
+private const val PERCENT = 100

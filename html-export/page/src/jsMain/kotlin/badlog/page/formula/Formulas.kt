@@ -248,9 +248,7 @@ internal class FormulaSlices(
             onFailure(problem)
         }
     }
-
-    private companion object {
-        /** The milliseconds of a slice, which fits into a frame. */
-        const val SLICE = 16
-    }
 }
+
+/** The milliseconds of a slice, which fits into a frame. */
+private const val SLICE = 16

@@ -220,10 +220,6 @@ internal class CursorOverlay(
         label.style.transform =
             if (pixel > width / 2) "translateX(calc(${pixel - GAP}px - 100%))" else "translateX(${pixel + GAP}px)"
     }
-
-    private companion object {
-        const val GAP = 7
-    }
 }
 
 /**
@@ -257,3 +253,5 @@ internal class GraphTarget(over: HTMLElement, private val scene: Scene, override
 
     private fun percent(share: Double) = "${share * 100}%"
 }
+
+private const val GAP = 7

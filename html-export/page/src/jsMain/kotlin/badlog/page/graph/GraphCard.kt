@@ -246,10 +246,6 @@ internal class GraphCard(
     }
 
     private fun labelOf(name: String) = "Graph of $name; arrow keys move the cursor"
-
-    private companion object {
-        const val PAUSE_MILLISECONDS = 150
-    }
 }
 
 /** The unit beside the title; empty if its lines have several units, which the legend then shows for each line. */
@@ -297,3 +293,5 @@ internal class BoardButtons(tools: HTMLElement, private val scene: Scene, privat
         openMenu(add, add.closest(".graph")?.parentElement.unsafeCast<HTMLElement>(), entries)
     }
 }
+
+private const val PAUSE_MILLISECONDS = 150

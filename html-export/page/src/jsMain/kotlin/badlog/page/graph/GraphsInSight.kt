@@ -26,9 +26,7 @@ internal class GraphsInSight(private val cards: () -> List<GraphCard>) {
     }
 
     private fun isOnScreen(box: DOMRect) = box.height > 0 && box.bottom > MIN_VISIBLE && box.top < window.innerHeight - MIN_VISIBLE
-
-    private companion object {
-        /** The number of visible pixels of a graph that suffice to see its cursor. */
-        const val MIN_VISIBLE = 120
-    }
 }
+
+/** The number of visible pixels of a graph that suffice to see its cursor. */
+private const val MIN_VISIBLE = 120

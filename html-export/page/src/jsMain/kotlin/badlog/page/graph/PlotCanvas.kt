@@ -58,8 +58,6 @@ internal class PlotCanvas(private val scene: Scene, private val content: GraphCo
         frame = PlotMargins.frameOf(width, content.height, scene.range.now, ratio)
         columns = PixelColumns(frame.width.toInt())
     }
-
-    private companion object {
-        const val MIN_WIDTH = 100
-    }
 }
+
+private const val MIN_WIDTH = 100

@@ -130,11 +130,9 @@ internal class VisibleGraphs(private val scene: Scene) {
 
     // Draws the graphs outside the screen in a later frame.
     private fun drawRest() = draw(near)
-
-    private companion object {
-        const val MARGIN = "300px 0px"
-
-        /** The tolerance for comparing pixel densities, in dppx, because browsers round them. */
-        const val ROUNDING = 0.001
-    }
 }
+
+private const val MARGIN = "300px 0px"
+
+/** The tolerance for comparing pixel densities, in dppx, because browsers round them. */
+private const val ROUNDING = 0.001

@@ -44,9 +44,7 @@ internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean, pri
         LocalStorage[key] = what
         if (isShown && what == ROWS) element?.remove() else onChange()
     }
-
-    private companion object {
-        const val TIME = "time"
-        const val ROWS = "rows"
-    }
 }
+
+private const val TIME = "time"
+private const val ROWS = "rows"

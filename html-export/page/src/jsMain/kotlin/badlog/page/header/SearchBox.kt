@@ -76,9 +76,7 @@ internal class SearchBox(private val search: (Query) -> SearchCounts) {
         count.showText(if (query.isEmpty) "" else hits.text())
         element.classList.toggle("is-active", !query.isEmpty)
     }
-
-    private companion object {
-        /** The maximum window width, in CSS pixels, at which the style sheet keeps the box short. */
-        const val SHORT_WIDTH = 1100
-    }
 }
+
+/** The maximum window width, in CSS pixels, at which the style sheet keeps the box short. */
+private const val SHORT_WIDTH = 1100

@@ -94,9 +94,7 @@ internal class PointerListener(
             finger = finger,
         )
     }
-
-    private companion object {
-        const val TOUCH = "touch"
-        const val PIXELS_OF_LINE = 16.0
-    }
 }
+
+private const val TOUCH = "touch"
+private const val PIXELS_OF_LINE = 16.0

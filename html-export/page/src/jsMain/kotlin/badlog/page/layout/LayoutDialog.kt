@@ -101,8 +101,6 @@ internal class LayoutDialog(
             }
         }
     }
-
-    private companion object {
-        const val LONGEST = 60
-    }
 }
+
+private const val LONGEST = 60

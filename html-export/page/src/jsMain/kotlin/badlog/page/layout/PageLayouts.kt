@@ -140,8 +140,6 @@ internal class KeptLayouts {
         LocalStorage.remove(KEY + name)
         if (shown == name) shown = null
     }
-
-    private companion object {
-        const val KEY = "layout:"
-    }
 }
+
+private const val KEY = "layout:"

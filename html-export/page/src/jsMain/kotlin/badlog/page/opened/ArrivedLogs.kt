@@ -54,9 +54,7 @@ internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
         download = null
         started.cancel()
     }
-
-    private companion object {
-        /** The maximum size of a log, in bytes: a robot's server sends it in about 20 s. */
-        const val MAX_BYTES = 20_000_000L
-    }
 }
+
+/** The maximum size of a log, in bytes: a robot's server sends it in about 20 s. */
+private const val MAX_BYTES = 20_000_000L

@@ -112,9 +112,7 @@ internal class FolderReading(
         val trouble = "${log.fileName} cannot be read: $why"
         return log.with(LogSummary.unreadable(log.fileName, log.modified, trouble, Content.UNREADABLE), found = null)
     }
-
-    private companion object {
-        /** The maximum number of workers, because each may hold a whole log. */
-        const val MAX_WORKERS = 3
-    }
 }
+
+/** The maximum number of workers, because each may hold a whole log. */
+private const val MAX_WORKERS = 3

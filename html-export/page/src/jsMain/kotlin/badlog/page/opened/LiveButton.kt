@@ -66,10 +66,6 @@ internal class LiveButton(private val shown: () -> OpenedLog?, private val onGro
         }
         following?.start(from)
     }
-
-    private companion object {
-        const val ID = "live"
-    }
 }
 
 /**
@@ -198,3 +194,5 @@ internal class Following(
         val PRESSING = listOf("Enter", " ")
     }
 }
+
+private const val ID = "live"

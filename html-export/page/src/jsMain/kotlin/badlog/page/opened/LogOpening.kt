@@ -384,9 +384,7 @@ internal class LogOpening(
         "hoot" -> "Open it in badlog's window, or make a WPILOG of it with “badlog convert”."
         else -> null
     }
-
-    private companion object {
-        /** The milliseconds between two looks at a robot's list; a robot has other work. */
-        const val SERVER_PAUSE = 15_000
-    }
 }
+
+/** The milliseconds between two looks at a robot's list; a robot has other work. */
+private const val SERVER_PAUSE = 15_000

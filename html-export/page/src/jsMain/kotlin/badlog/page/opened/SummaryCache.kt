@@ -55,12 +55,10 @@ internal class SummaryCache(rules: String) {
     }
 
     private fun of(log: OpenedLog) = "${log.size} ${log.modified} $version"
-
-    private companion object {
-        const val STORE = "logs"
-        const val END = 16
-
-        /** The milliseconds to wait for stored results; after that, logs are read instead. */
-        const val PATIENCE = 1000
-    }
 }
+
+private const val STORE = "logs"
+private const val END = 16
+
+/** The milliseconds to wait for stored results; after that, logs are read instead. */
+private const val PATIENCE = 1000

@@ -155,11 +155,6 @@ internal class FolderWatch(
         changed.mapTo(changing) { it.path }
         return FolderChanges(changed, gone, complete)
     }
-
-    private companion object {
-        /** The milliseconds to wait while the page is busy. */
-        const val BUSY_PAUSE = 1000
-    }
 }
 
 /**
@@ -180,3 +175,6 @@ internal class FolderPolling(val pause: Int, val files: () -> Promise<List<File>
 internal class FolderChanges(val changed: List<OpenedLog>, val gone: Set<String>, val complete: Set<String>) {
     val isSame: Boolean get() = changed.isEmpty() && gone.isEmpty() && complete.isEmpty()
 }
+
+/** The milliseconds to wait while the page is busy. */
+private const val BUSY_PAUSE = 1000

@@ -125,10 +125,6 @@ internal class CursorPanel(
         val x = scene.cursor.x.takeIf { scene.cursor.isPlaced }
         body.patch(nodes.of(cursorPanel(lines, values, x, x?.let(scene::xText).orEmpty())))
     }
-
-    private companion object {
-        const val KEY = "values"
-    }
 }
 
 /**
@@ -188,9 +184,9 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
         }
         draw()
     }
-
-    private companion object {
-        /** The milliseconds without movement of the range before its errors are listed. */
-        const val AFTER_MOVING = 150
-    }
 }
+
+private const val KEY = "values"
+
+/** The milliseconds without movement of the range before its errors are listed. */
+private const val AFTER_MOVING = 150

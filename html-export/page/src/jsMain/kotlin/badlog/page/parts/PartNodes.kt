@@ -349,12 +349,6 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         },
     )
 
-    private companion object {
-        /** The width and height of the square in which previews are drawn, before they are stretched. */
-        const val CURVE_WIDTH = 192
-        const val CURVE_HEIGHT = 100
-    }
-
     private val Part.className: String get() = key.substringBefore(' ')
 }
 
@@ -373,3 +367,7 @@ private val PartIcon.icon: Icon
         PartIcon.UNDONE -> Icon.UNDO
         PartIcon.HISTOGRAM -> Icon.BARS
     }
+
+/** The width and height of the square in which previews are drawn, before they are stretched. */
+private const val CURVE_WIDTH = 192
+private const val CURVE_HEIGHT = 100

@@ -30,11 +30,6 @@ internal class KeptPictures {
         picture.show(height, subject, draw)
         target.drawImage(picture.canvas, 0.0, picture.height - height, width, height, left, top, width, height)
     }
-
-    private companion object {
-        /** The maximum number of widths: one each for the graphs of the board, the graphs of the folders, and the overview. */
-        const val MAX_KEPT = 3
-    }
 }
 
 private class KeptPicture(val width: Double) {
@@ -60,3 +55,6 @@ private class KeptPicture(val width: Double) {
         draw(CanvasPen(context), height)
     }
 }
+
+/** The maximum number of widths: one each for the graphs of the board, the graphs of the folders, and the overview. */
+private const val MAX_KEPT = 3

@@ -70,8 +70,6 @@ internal class RecordingReader(
             "The last ${bytesText(missing)} of ${bytesText(expectedBytes)} cannot be read; the page may have been cut in copying.",
         )
     }
-
-    private companion object {
-        const val STEPS = 100
-    }
 }
+
+private const val STEPS = 100

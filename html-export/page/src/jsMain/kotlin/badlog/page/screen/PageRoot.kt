@@ -94,10 +94,6 @@ internal class LoadingScreen(name: String, cancel: (() -> Unit)? = null) {
     fun show(share: Double) {
         bar.style.width = "${share * 100}%"
     }
-
-    private companion object {
-        const val PATIENCE_MILLISECONDS = 300
-    }
 }
 
 /** Returns the screen shown instead of a log that cannot be shown. */
@@ -107,3 +103,5 @@ internal fun failureScreen(title: String, explanation: String, tools: HTMLElemen
     add("p", "screen-text", explanation)
     if (tools != null) appendChild(tools)
 }
+
+private const val PATIENCE_MILLISECONDS = 300

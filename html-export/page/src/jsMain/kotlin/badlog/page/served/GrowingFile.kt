@@ -60,18 +60,6 @@ internal class GrowingFile(private val file: File, private val address: String) 
         while (end > 0 && part[end - 1] != LINE_FEED) end--
         return if (end > 0) begin + end else whole
     }
-
-    private companion object {
-        const val PAUSE = 50
-
-        /** The number of known bytes to request again, because a request for only missing bytes is an error. */
-        const val KNOWN_BYTES = 1
-
-        /** The rate of whole logs, 2 Mbit/s: half of the bandwidth of a robot on a field. */
-        const val WHOLE_BYTES_PER_MILLI = 250
-        const val LINE_FEED: Byte = 10
-        const val PART: Short = 206
-    }
 }
 
 /**
@@ -127,3 +115,13 @@ internal class RetryLaterException(sentence: String) : IllegalStateException(sen
 internal const val LOST = "The robot does not answer: stay on its Wi-Fi, and try again."
 
 private const val MAX_SENTENCE = 200
+
+private const val PAUSE = 50
+
+/** The number of known bytes to request again, because a request for only missing bytes is an error. */
+private const val KNOWN_BYTES = 1
+
+/** The rate of whole logs, 2 Mbit/s: half of the bandwidth of a robot on a field. */
+private const val WHOLE_BYTES_PER_MILLI = 250
+private const val LINE_FEED: Byte = 10
+private const val PART: Short = 206

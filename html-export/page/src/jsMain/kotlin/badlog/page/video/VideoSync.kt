@@ -212,18 +212,16 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         place = scene.cursor.x
         isLeading = false
     }
-
-    private companion object {
-        /** The distance in seconds from the video's position at which a frame cannot be the displayed one. */
-        const val FAR = 0.25
-
-        /** A distance in seconds that is enough for a seek, but hardly ever reaches another frame. */
-        const val LITTLE = 1e-4
-
-        /** The milliseconds after a seek until its frame is on the screen. */
-        const val PATIENCE = 150
-
-        /** The number of [PATIENCE] intervals within which a busy browser reports the frame of a seek. */
-        const val MAX_WAITS = 8
-    }
 }
+
+/** The distance in seconds from the video's position at which a frame cannot be the displayed one. */
+private const val FAR = 0.25
+
+/** A distance in seconds that is enough for a seek, but hardly ever reaches another frame. */
+private const val LITTLE = 1e-4
+
+/** The milliseconds after a seek until its frame is on the screen. */
+private const val PATIENCE = 150
+
+/** The number of [PATIENCE] intervals within which a busy browser reports the frame of a seek. */
+private const val MAX_WAITS = 8

@@ -78,10 +78,8 @@ internal class Notice {
         element.classList.add("is-empty")
         text.showText("")
     }
-
-    private companion object {
-        /** The milliseconds for which every sentence stays, and the additional ones for each character, for slow readers. */
-        const val FIRST = 4000
-        const val PER_LETTER = 80
-    }
 }
+
+/** The milliseconds for which every sentence stays, and the additional ones for each character, for slow readers. */
+private const val FIRST = 4000
+private const val PER_LETTER = 80

@@ -21,9 +21,7 @@ internal class Palette(var isDark: Boolean = false) {
         for (index in 0 until LINE_COLORS) root.style.setProperty("--line-$index", cssColor(lineColor(index, isDark)))
         root.style.setProperty("--accent-veil", cssColor(Shade.ACCENT.of(isDark), VEIL))
     }
-
-    private companion object {
-        /** The opacity of the accent color over a selection. */
-        const val VEIL = 0.18
-    }
 }
+
+/** The opacity of the accent color over a selection. */
+private const val VEIL = 0.18

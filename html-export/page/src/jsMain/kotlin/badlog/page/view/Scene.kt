@@ -160,11 +160,6 @@ internal class Scene(
 
     /** Returns the same as [xText], without the unit. */
     fun xNumber(x: Double): String = placeText(x, xAxis, range.now.width)
-
-    private companion object {
-        /** The precision of a mouse, as a fraction of the screen's width. Without it, the last event could not be reached. */
-        const val ONE_PIXEL = 0.002
-    }
 }
 
 /**
@@ -200,10 +195,6 @@ internal class SharedY(private val board: PageBoard, private val range: VisibleR
         curve.draw(range.now.from, range.now.to, columns)
         return SeenOfUnit(unitText(line.unit), curve.min, curve.max)
     }
-
-    private companion object {
-        const val COLUMNS = 500
-    }
 }
 
 /**
@@ -214,3 +205,8 @@ internal class SharedY(private val board: PageBoard, private val range: VisibleR
  * @property found the text of the findings; empty if there are none.
  */
 internal class MarksAtCursor(val said: String?, val severity: Severity?, val found: String)
+
+/** The precision of a mouse, as a fraction of the screen's width. Without it, the last event could not be reached. */
+private const val ONE_PIXEL = 0.002
+
+private const val COLUMNS = 500

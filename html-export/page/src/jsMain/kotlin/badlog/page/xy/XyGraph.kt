@@ -230,11 +230,6 @@ internal class XyGraph(
 
         override fun send(action: Action) = scene.store.send(action)
     }
-
-    private companion object {
-        const val REST_MILLISECONDS = 300
-        const val COVER = 0.25
-    }
 }
 
 /** A canvas that covers [host], with a frame in it. */
@@ -266,3 +261,6 @@ internal class XyCanvas(host: HTMLElement) {
 
 /** The number of physical pixels in one CSS pixel. */
 internal val pixelRatio: Double get() = window.devicePixelRatio
+
+private const val REST_MILLISECONDS = 300
+private const val COVER = 0.25

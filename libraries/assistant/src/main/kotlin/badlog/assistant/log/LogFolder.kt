@@ -78,8 +78,6 @@ internal class LogFolder(folder: Path) {
     } catch (_: IOException) {
         false
     }
-
-    private companion object {
-        const val MAX_SHOWN = 200
-    }
 }
+
+private const val MAX_SHOWN = 200

@@ -78,12 +78,10 @@ internal class LogLake(
             throw e.cause ?: e
         }
     }
-
-    private companion object {
-        /** The default of [patience], in s. Most assistants wait for a minute. */
-        const val PATIENCE = 40L
-
-        /** The name of the user of this lake. */
-        const val USER = "mcp"
-    }
 }
+
+/** The default of [patience], in s. Most assistants wait for a minute. */
+private const val PATIENCE = 40L
+
+/** The name of the user of this lake. */
+private const val USER = "mcp"

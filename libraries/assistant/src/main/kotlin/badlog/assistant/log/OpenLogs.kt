@@ -120,8 +120,6 @@ internal class OpenLog(val name: String, val view: LogView, private val signals:
             ?: topics.singleOrNull { it.name.endsWith("/$name", ignoreCase = true) }
             ?: throw ToolException("The log “${this.name}” has no topic “${name.take(MAX_SHOWN)}”; describe_log lists its topics.")
     }
-
-    private companion object {
-        const val MAX_SHOWN = 200
-    }
 }
+
+private const val MAX_SHOWN = 200

@@ -129,11 +129,9 @@ internal class GraphPicture(
             it.drawPlot(frame, made(frame), marks, PenColors.LIGHT, PlotMargins.BOTTOM.toDouble())
         }
     }
-
-    private companion object {
-        const val MAX_LABEL_LENGTH = 60
-        const val TITLE_LINE = 26.0
-        const val TITLE = 15.0
-        const val PANEL = 180
-    }
 }
+
+private const val MAX_LABEL_LENGTH = 60
+private const val TITLE_LINE = 26.0
+private const val TITLE = 15.0
+private const val PANEL = 180

@@ -131,13 +131,11 @@ internal class FindingsOfLogs(private val logs: LogFolder, private val cache: Pa
         putJsonArray("evidence") { finding.evidence.take(MAX_TOPICS).forEach { add(it) } }
         if (finding.next.isNotEmpty()) put("next", finding.next)
     }
-
-    private companion object {
-        const val MAX_INCIDENTS = 5
-        const val MAX_NAMED = 3
-        const val MAX_SENTENCES = 8
-        const val MAX_SPANS = 5
-        const val MAX_TOPICS = 6
-        const val MAX_SKIPPED = 40
-    }
 }
+
+private const val MAX_INCIDENTS = 5
+private const val MAX_NAMED = 3
+private const val MAX_SENTENCES = 8
+private const val MAX_SPANS = 5
+private const val MAX_TOPICS = 6
+private const val MAX_SKIPPED = 40

@@ -72,12 +72,10 @@ internal class GraphOfTopics(private val logs: OpenLogs) :
     private fun drawingFailed(e: Error) = ToolException(
         "This computer's Java cannot draw text ($e); install fontconfig and a font, such as Debian's fonts-dejavu-core, or ask for samples.",
     )
-
-    private companion object {
-        const val MAX_TOPICS = 8
-        const val MAX_UNITS = 4
-        const val MIN_WIDTH = 400
-        const val MAX_WIDTH = 1_600
-        const val DEFAULT_WIDTH = 1_000
-    }
 }
+
+private const val MAX_TOPICS = 8
+private const val MAX_UNITS = 4
+private const val MIN_WIDTH = 400
+private const val MAX_WIDTH = 1_600
+private const val DEFAULT_WIDTH = 1_000

@@ -129,11 +129,9 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
     private fun JsonArrayBuilder.point(vararg numbers: Double) {
         addJsonArray { numbers.forEach { add(number(it)) } }
     }
-
-    private companion object {
-        const val MAX_TOPICS = 12
-        const val MAX_POINTS = 1_000
-        const val DEFAULT_POINTS = 100
-        const val MAX_EVENT_LENGTH = 300
-    }
 }
+
+private const val MAX_TOPICS = 12
+private const val MAX_POINTS = 1_000
+private const val DEFAULT_POINTS = 100
+private const val MAX_EVENT_LENGTH = 300

@@ -90,16 +90,14 @@ internal class SqlOverLogs(private val lake: LogLake, private val maxSeconds: Lo
     }
 
     private fun titleOf(column: SqlColumn) = "${column.name} ${column.type.take(MAX_TYPE)}"
-
-    private companion object {
-        const val MAX_SECONDS = 30L
-        const val MILLISECONDS = 1_000L
-        const val MAX_ROWS = 200
-        const val DEFAULT_ROWS = 50
-        const val MAX_COLUMNS = 40
-
-        /** The maximum length of a type in an answer: types of structs list all their fields. */
-        const val MAX_TYPE = 60
-        const val MAX_CHARACTERS = 24_000
-    }
 }
+
+private const val MAX_SECONDS = 30L
+private const val MILLISECONDS = 1_000L
+private const val MAX_ROWS = 200
+private const val DEFAULT_ROWS = 50
+private const val MAX_COLUMNS = 40
+
+/** The maximum length of a type in an answer: types of structs list all their fields. */
+private const val MAX_TYPE = 60
+private const val MAX_CHARACTERS = 24_000

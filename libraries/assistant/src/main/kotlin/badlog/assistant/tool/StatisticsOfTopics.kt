@@ -78,8 +78,6 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
         }
         if (times.size > StateTime.MAX_LISTED) put("moreStates", times.size - StateTime.MAX_LISTED)
     }
-
-    private companion object {
-        const val MAX_TOPICS = 12
-    }
 }
+
+private const val MAX_TOPICS = 12

@@ -89,8 +89,6 @@ internal class TableOfLogs(private val logs: LogFolder, private val cache: Path?
         hasOwnUnit && cell.value.isFinite() -> JsonPrimitive(withUnit(exactText(cell.value), cell.unit))
         else -> number(cell.value)
     }
-
-    private companion object {
-        const val MAX_COLUMNS = 12
-    }
 }
+
+private const val MAX_COLUMNS = 12

@@ -76,15 +76,6 @@ class TodoFolder(private val folder: Path, computer: String? = null) {
     private fun files(): List<Path> = reading(folder) {
         folder.listDirectoryEntries("$BEGIN*$ENDING").filter(Files::isRegularFile).sortedBy { it.name }
     }
-
-    private companion object {
-        /**
-         * The beginning of the files' names. The computer's name follows, then possibly an addition of a sync program, such as
-         * `badlog-todo-pit (conflicted copy).jsonl`.
-         */
-        const val BEGIN = "badlog-todo"
-        const val ENDING = ".jsonl"
-    }
 }
 
 /**
@@ -101,3 +92,10 @@ class TodoFiles(
     val problems: List<String> = emptyList(),
     val isWhole: Boolean = true,
 )
+
+/**
+ * The beginning of the files' names. The computer's name follows, then possibly an addition of a sync program, such as
+ * `badlog-todo-pit (conflicted copy).jsonl`.
+ */
+private const val BEGIN = "badlog-todo"
+private const val ENDING = ".jsonl"

@@ -118,11 +118,6 @@ class Vocabulary(
             return foldedFull[key] ?: foldedEnds[key] ?: emptyList()
         }
     }
-
-    private companion object {
-        // The maximum number of ends of a path. Names come from files, and all ends of a long one would fill the memory.
-        const val MAX_ENDS = 32
-    }
 }
 
 /** The maximum number of characters in an expression. */
@@ -203,3 +198,6 @@ internal fun editDistance(one: String, other: String, limit: Int): Int {
     }
     return minOf(last[other.length], limit)
 }
+
+// The maximum number of ends of a path. Names come from files, and all ends of a long one would fill the memory.
+private const val MAX_ENDS = 32

@@ -48,15 +48,6 @@ public class ProgressBar(
     }
 
     override fun close(): Unit = line.close()
-
-    private companion object {
-        // Together with the remaining time, this fits in 80 columns.
-        const val LABEL = 34
-        const val BAR = 20
-
-        /** A second, in ns. */
-        const val SECOND = 1_000_000_000L
-    }
 }
 
 /**
@@ -73,3 +64,10 @@ private const val MINUTE = 60
 private const val HOUR = 3600
 private const val MIN_MINUTES = 90
 private const val MIN_HOURS = 5400
+
+// Together with the remaining time, this fits in 80 columns.
+private const val LABEL = 34
+private const val BAR = 20
+
+/** A second, in ns. */
+private const val SECOND = 1_000_000_000L

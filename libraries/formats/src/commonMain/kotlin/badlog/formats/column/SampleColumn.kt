@@ -130,10 +130,6 @@ internal class SampleColumn(val path: String, private val keepsSamples: Boolean,
             gaps = if (textsLeft > 0) 1 else gapsLeft,
         )
     }
-
-    private companion object {
-        const val MAX_EXACT = 1L shl 53
-    }
 }
 
 /** The columns that one record, or one element of an array, fills, all at the same times. */
@@ -172,9 +168,9 @@ internal class ColumnSource(val keepsSamples: Boolean) {
         made += paths.size
         return paths.map { SampleColumn(it, keepsSamples, decoder) }
     }
-
-    private companion object {
-        /** The maximum number of columns: no program shows more topics, and a damaged file could produce millions. */
-        const val MAX_COLUMNS = 1 shl 16
-    }
 }
+
+private const val MAX_EXACT = 1L shl 53
+
+/** The maximum number of columns: no program shows more topics, and a damaged file could produce millions. */
+private const val MAX_COLUMNS = 1 shl 16

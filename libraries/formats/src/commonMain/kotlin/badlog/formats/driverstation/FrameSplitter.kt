@@ -140,14 +140,12 @@ internal class FrameSplitter(
         skipped(lostFrom, until, frames.skip((until - lostFrom).toInt()))
         lostFrom = -1L
     }
-
-    private companion object {
-        const val FIRST_SIZE = 1 shl 10
-
-        /** The maximum difference between the times in the headers of a pair of files, in s. */
-        const val SAME = 2.0
-
-        /** The number of frames in a row that are not a coincidence. */
-        const val ROW = 3
-    }
 }
+
+private const val FIRST_SIZE = 1 shl 10
+
+/** The maximum difference between the times in the headers of a pair of files, in s. */
+private const val SAME = 2.0
+
+/** The number of frames in a row that are not a coincidence. */
+private const val ROW = 3

@@ -85,9 +85,7 @@ internal class ListParser(keepSamples: Boolean) : LogParser {
             loss = Loss(rows = badRows),
         )
     }
-
-    private companion object {
-        const val TOO_LONG = "A line of more than ${ListRows.MAX_LINE} bytes is not a sample; the rest of the file was not read."
-        const val MAX_SAMPLES = 50_000_000
-    }
 }
+
+private const val TOO_LONG = "A line of more than ${ListRows.MAX_LINE} bytes is not a sample; the rest of the file was not read."
+private const val MAX_SAMPLES = 50_000_000

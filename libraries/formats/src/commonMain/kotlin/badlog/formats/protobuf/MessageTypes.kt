@@ -112,26 +112,24 @@ internal class MessageTypes {
     }
 
     private fun WireReader.text(bytes: ByteArray) = if (wire == WireReader.SIZED) bytes.decodeToString(from, end) else ""
-
-    private companion object {
-        const val MAX_TYPES = 10_000
-        const val MAX_DEPTH = 32
-
-        const val FILE_PACKAGE = 2
-        const val FILE_MESSAGE = 4
-        const val FILE_ENUM = 5
-        const val MESSAGE_FIELD = 2
-        const val MESSAGE_NESTED = 3
-        const val MESSAGE_ENUM = 4
-        const val FIELD_NAME = 1
-        const val FIELD_NUMBER = 3
-        const val FIELD_LABEL = 4
-        const val FIELD_TYPE = 5
-        const val FIELD_TYPE_NAME = 6
-        const val FIELD_ONE_OF = 9
-        const val FIELD_OPTIONAL = 17
-        const val ENUM_VALUE = 2
-        const val VALUE_NUMBER = 2
-        const val LABEL_REPEATED = 3L
-    }
 }
+
+private const val MAX_TYPES = 10_000
+private const val MAX_DEPTH = 32
+
+private const val FILE_PACKAGE = 2
+private const val FILE_MESSAGE = 4
+private const val FILE_ENUM = 5
+private const val MESSAGE_FIELD = 2
+private const val MESSAGE_NESTED = 3
+private const val MESSAGE_ENUM = 4
+private const val FIELD_NAME = 1
+private const val FIELD_NUMBER = 3
+private const val FIELD_LABEL = 4
+private const val FIELD_TYPE = 5
+private const val FIELD_TYPE_NAME = 6
+private const val FIELD_ONE_OF = 9
+private const val FIELD_OPTIONAL = 17
+private const val ENUM_VALUE = 2
+private const val VALUE_NUMBER = 2
+private const val LABEL_REPEATED = 3L

@@ -145,23 +145,6 @@ public class RevlogConversion(private val sink: (bytes: ByteArray, size: Int) ->
     }
 
     private fun nameOf(device: RevDevice, id: Int) = "REV/${device.name}-${id and NUMBER}"
-
-    private companion object {
-        const val CLASS_BIT = 10
-        const val CLASS_MASK = 0x3F
-
-        /** The class of all status frames of REV's devices. */
-        const val STATUS_CLASS = 46
-        const val FRAME_BIT = 6
-        const val FRAME_MASK = 0xF
-        const val NUMBER = 0x3F
-        const val DEVICE = 0x1F00003F
-
-        /** The metadata that mark an entry as a value in badlog's WPILOG. */
-        const val VALUE = "{\"badlog\":\"value\"}"
-        const val MICROS = 1000
-        const val PIECE = 1 shl 16
-    }
 }
 
 /** The head of a record: it has [headSize] bytes, and [size] bytes of frames follow. */
@@ -213,3 +196,18 @@ private fun typeOf(id: Int) = id shr 24 and 0x1F
 
 private fun wordAt(bytes: ByteArray, at: Int): Int = (bytes[at].toInt() and 0xFF) or (bytes[at + 1].toInt() and 0xFF shl 8) or
     (bytes[at + 2].toInt() and 0xFF shl 16) or (bytes[at + 3].toInt() shl 24)
+
+private const val CLASS_BIT = 10
+private const val CLASS_MASK = 0x3F
+
+/** The class of all status frames of REV's devices. */
+private const val STATUS_CLASS = 46
+private const val FRAME_BIT = 6
+private const val FRAME_MASK = 0xF
+private const val NUMBER = 0x3F
+private const val DEVICE = 0x1F00003F
+
+/** The metadata that mark an entry as a value in badlog's WPILOG. */
+private const val VALUE = "{\"badlog\":\"value\"}"
+private const val MICROS = 1000
+private const val PIECE = 1 shl 16

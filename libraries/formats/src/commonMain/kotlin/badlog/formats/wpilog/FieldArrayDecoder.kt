@@ -78,9 +78,7 @@ private class FieldPathDecoder(source: ColumnSource) : ArrayDecoder(source, list
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = (until - from) % WIDTH == 0
 
     private fun numberAt(bytes: ByteArray, at: Int) = Double.fromBits(longAt(bytes, at))
-
-    private companion object {
-        const val WIDTH = 3 * Double.SIZE_BYTES
-        const val DEGREE = PI / 180
-    }
 }
+
+private const val WIDTH = 3 * Double.SIZE_BYTES
+private const val DEGREE = PI / 180

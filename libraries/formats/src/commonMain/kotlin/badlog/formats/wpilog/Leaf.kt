@@ -78,8 +78,6 @@ internal class Leaf(
 
     // A boolean bit-field may be in the bytes of the integer before it.
     private val storageWidth get() = if (bits > 0) (shift + bits + BITS - 1) / BITS else type.width
-
-    private companion object {
-        const val BITS = 8
-    }
 }
+
+private const val BITS = 8

@@ -116,8 +116,6 @@ internal class RecordBuffer {
     private fun reserve(more: Int) {
         if (size + more > bytes.size) bytes = bytes.copyOf(maxOf(size + more, bytes.size * 2))
     }
-
-    private companion object {
-        const val MAX_HEAD_BYTES = 17
-    }
 }
+
+private const val MAX_HEAD_BYTES = 17

@@ -38,11 +38,9 @@ internal class RecordTimes(private val xAxis: XAxis) {
         if (shift > 0) add(Omission(null, "x starts at ${xAxis.range?.start}; $shift was added to all times."))
         if (rounded > 0) add(Omission(null, "Times were rounded to microseconds.", rounded))
     }
-
-    private companion object {
-        const val TOLERANCE = 1e-3
-
-        /** The limit of record times: 2^53 µs. */
-        const val MAX_MICROS = 9007199254740992.0
-    }
 }
+
+private const val TOLERANCE = 1e-3
+
+/** The limit of record times: 2^53 µs. */
+private const val MAX_MICROS = 9007199254740992.0

@@ -99,11 +99,9 @@ internal class SchemaDecoder(
         badCount = known.badCount
         droppedValues = known.droppedValues
     }
-
-    private companion object {
-        const val MAX_HELD = 1 shl 20
-
-        /** The estimated memory overhead of each held payload, in bytes, besides its content. */
-        const val OVERHEAD = 64
-    }
 }
+
+private const val MAX_HELD = 1 shl 20
+
+/** The estimated memory overhead of each held payload, in bytes, besides its content. */
+private const val OVERHEAD = 64

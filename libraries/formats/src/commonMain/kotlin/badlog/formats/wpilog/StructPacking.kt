@@ -66,12 +66,10 @@ internal class StructPacking {
         openWidth = 0
         usedBits = 0
     }
-
-    private companion object {
-        const val BITS = 8
-
-        /** The maximum number of values: each is a topic and a graph. */
-        const val MAX_LEAVES = 1024
-        const val MAX_WIDTH = 1 shl 16
-    }
 }
+
+private const val BITS = 8
+
+/** The maximum number of values: each is a topic and a graph. */
+private const val MAX_LEAVES = 1024
+private const val MAX_WIDTH = 1 shl 16

@@ -49,11 +49,6 @@ internal class StructSchemas {
         }
         return packing.layout()
     }
-
-    private companion object {
-        const val MAX_DEPTH = 32
-        const val MAX_SCHEMAS = 10_000
-    }
 }
 
 /**
@@ -167,3 +162,6 @@ internal class SchemaReader private constructor(private val text: String) {
         }
     }
 }
+
+private const val MAX_DEPTH = 32
+private const val MAX_SCHEMAS = 10_000

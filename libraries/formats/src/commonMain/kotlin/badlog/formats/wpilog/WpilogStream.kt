@@ -57,8 +57,6 @@ public class WpilogStream(private val sink: (bytes: ByteArray, size: Int) -> Uni
     }
 
     private fun bytesOf(number: Int) = ByteArray(Int.SIZE_BYTES) { (number ushr 8 * it).toByte() }
-
-    private companion object {
-        const val PIECE = 1 shl 16
-    }
 }
+
+private const val PIECE = 1 shl 16

@@ -85,10 +85,6 @@ public class WpilogWriter(private val recording: Recording, private val changesO
             require(!isMissing && topic.texts.size == counts.texts) { "The samples of “${topic.name}” were not kept." }
         }
     }
-
-    private companion object {
-        const val PIECE = 1 shl 16
-    }
 }
 
 /**
@@ -105,3 +101,5 @@ public val Topic.isOfBytes: Boolean get() = unit == BYTE && (type == "raw" || ty
 
 /** The unit of a topic that only has the sizes of its records. */
 internal const val BYTE: String = "B"
+
+private const val PIECE = 1 shl 16

@@ -72,8 +72,6 @@ internal class Inbox(private val limit: Long) {
         is Incoming.Text -> 2L * incoming.text.length + OVERHEAD
         else -> 0
     }
-
-    private companion object {
-        const val OVERHEAD = 64L
-    }
 }
+
+private const val OVERHEAD = 64L

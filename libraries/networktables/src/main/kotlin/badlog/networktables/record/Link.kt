@@ -122,12 +122,10 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
     }
 
     private fun endless(): CompletionStage<*>? = null.also { close("the server sent a message of more than 16 MiB") }
-
-    private companion object {
-        const val CONNECT_SECONDS = 2L
-
-        /** The maximum length of a message, in bytes or characters. */
-        const val MAX_MESSAGE = 16 shl 20
-        const val MAX_REASON = 100
-    }
 }
+
+private const val CONNECT_SECONDS = 2L
+
+/** The maximum length of a message, in bytes or characters. */
+private const val MAX_MESSAGE = 16 shl 20
+private const val MAX_REASON = 100

@@ -167,11 +167,9 @@ internal class LogOutput(private val options: RecordOptions) {
     }
 
     private fun bytesOf(number: Long) = ByteBuffer.allocate(Long.SIZE_BYTES).order(ByteOrder.LITTLE_ENDIAN).putLong(number).array()
-
-    private companion object {
-        const val OWN_METADATA = "{\"source\":\"badlog\"}"
-
-        /** The time between records of the time of day, as in WPILib's logs. */
-        const val WALL_MICROS = 5_000_000L
-    }
 }
+
+private const val OWN_METADATA = "{\"source\":\"badlog\"}"
+
+/** The time between records of the time of day, as in WPILib's logs. */
+private const val WALL_MICROS = 5_000_000L

@@ -260,17 +260,15 @@ internal class RecordSession(
         output.message(message, robotMicros())
         listener.noted(message)
     }
-
-    private companion object {
-        const val SCHEMAS = "/.schema/"
-
-        /** The period at which the server sends values. */
-        const val PERIOD_SECONDS = 0.05
-
-        /** The time between flushes. With it, the server's period, and a sync each 100 ms, a power cut costs less than 0.25 s of data. */
-        const val FLUSH_MICROS = 50_000L
-
-        /** The time after which the file of a disabled robot ends. Between autonomous and teleop, a robot is disabled for a few seconds. */
-        const val PAUSE_MICROS = 15_000_000L
-    }
 }
+
+private const val SCHEMAS = "/.schema/"
+
+/** The period at which the server sends values. */
+private const val PERIOD_SECONDS = 0.05
+
+/** The time between flushes. With it, the server's period, and a sync each 100 ms, a power cut costs less than 0.25 s of data. */
+private const val FLUSH_MICROS = 50_000L
+
+/** The time after which the file of a disabled robot ends. Between autonomous and teleop, a robot is disabled for a few seconds. */
+private const val PAUSE_MICROS = 15_000_000L

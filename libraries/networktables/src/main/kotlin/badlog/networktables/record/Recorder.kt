@@ -112,9 +112,7 @@ class Recorder internal constructor(
             ended.signalAll()
         }
     }
-
-    private companion object {
-        const val TICK_MILLIS = 20L
-        const val JOIN_MILLIS = 3_000L
-    }
 }
+
+private const val TICK_MILLIS = 20L
+private const val JOIN_MILLIS = 3_000L

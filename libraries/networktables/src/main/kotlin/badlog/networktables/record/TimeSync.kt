@@ -46,16 +46,14 @@ internal class TimeSync {
     private val best: Answer? get() = answers.minByOrNull { it.roundTrip }
 
     private fun tolerance(before: Answer, now: Answer) = SLACK + (before.roundTrip + now.roundTrip) / 2 + (now.local - before.local) / DRIFT
-
-    private companion object {
-        const val KEPT = 10
-
-        const val JITTER_MICROS = 2_000L
-
-        /** The tolerated deviation of an answer, in µs. A restarting robot is away for longer. */
-        const val SLACK = 250_000L
-
-        /** The inverse of the tolerated drift. Clocks of computers differ by less than 1 in 5,000. */
-        const val DRIFT = 5_000
-    }
 }
+
+private const val KEPT = 10
+
+private const val JITTER_MICROS = 2_000L
+
+/** The tolerated deviation of an answer, in µs. A restarting robot is away for longer. */
+private const val SLACK = 250_000L
+
+/** The inverse of the tolerated drift. Clocks of computers differ by less than 1 in 5,000. */
+private const val DRIFT = 5_000

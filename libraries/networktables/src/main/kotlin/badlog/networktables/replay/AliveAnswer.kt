@@ -35,12 +35,10 @@ internal class AliveAnswer : Draft_6455() {
     override fun getCloseHandshakeType(): CloseHandshakeType = CloseHandshakeType.NONE
 
     override fun copyInstance(): Draft = AliveAnswer()
-
-    private companion object {
-        const val TEXT = "badlog replays a log here, for dashboards that speak NetworkTables 4.\n"
-
-        // Dashboards may be web pages of another origin.
-        const val ANSWER = "HTTP/1.1 200 OK\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: ${TEXT.length}\r\n" +
-            "Access-Control-Allow-Origin: *\r\nConnection: close\r\n\r\n$TEXT"
-    }
 }
+
+private const val TEXT = "badlog replays a log here, for dashboards that speak NetworkTables 4.\n"
+
+// Dashboards may be web pages of another origin.
+private const val ANSWER = "HTTP/1.1 200 OK\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: ${TEXT.length}\r\n" +
+    "Access-Control-Allow-Origin: *\r\nConnection: close\r\n\r\n$TEXT"

@@ -91,10 +91,8 @@ internal class Client(
         val signal = signals[id]
         return announce(signal.name, id, signal.typeName, propertiesOf(signal), publisher)
     }
-
-    private companion object {
-        const val MAX_NAMES = 20_000
-        const val MAX_AT_ONCE = 20_000
-        const val MAX_WAITING = 100_000
-    }
 }
+
+private const val MAX_NAMES = 20_000
+private const val MAX_AT_ONCE = 20_000
+private const val MAX_WAITING = 100_000

@@ -44,15 +44,6 @@ internal class Player(val signals: List<ReplayedTopic>, val playhead: Playhead) 
         }
         played[signal] = end
     }
-
-    private companion object {
-        const val NANOS_PER_MICRO = 1000
-
-        /**
-         * The maximum number of a signal's samples sent at once, such as when a laptop wakes up after an hour. The earliest are skipped.
-         */
-        const val MAX_OF_A_SIGNAL = 10_000
-    }
 }
 
 /**
@@ -61,3 +52,10 @@ internal class Player(val signals: List<ReplayedTopic>, val playhead: Playhead) 
  * @property micros its time on the server's clock.
  */
 internal class Update(val signal: Int, val index: Int, val micros: Long)
+
+private const val NANOS_PER_MICRO = 1000
+
+/**
+ * The maximum number of a signal's samples sent at once, such as when a laptop wakes up after an hour. The earliest are skipped.
+ */
+private const val MAX_OF_A_SIGNAL = 10_000

@@ -108,10 +108,6 @@ internal class TopicNames(prefix: String) {
         val bare = name.removePrefix("NT:").trimStart('/')
         return names.give(if (bare.startsWith(SCHEMAS)) "/$bare" else start + bare)
     }
-
-    private companion object {
-        const val SCHEMAS = ".schema/"
-    }
 }
 
 /** Used for recordings without a time: robots usually log every 20 ms. */
@@ -119,3 +115,5 @@ private const val ROWS_PER_SECOND = 50.0
 
 /** Returns the increase of [axis] per second. An x that is neither time nor index is treated as seconds. */
 internal fun unitsPerSecond(axis: XAxis): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: if (axis.isIndex) ROWS_PER_SECOND else 1.0
+
+private const val SCHEMAS = ".schema/"

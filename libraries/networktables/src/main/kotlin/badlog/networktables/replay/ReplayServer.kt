@@ -184,13 +184,11 @@ class ReplayServer internal constructor(
             synchronized(lock) { clients.remove(connection) }
         }
     }
-
-    private companion object {
-        const val NANOS_PER_MICRO = 1000
-        const val FIRST_NANOS = 1_000_000_000L
-        const val TICK_MILLIS = 10L
-        const val PING_SECONDS = 1L
-        const val SILENCE_MICROS = 10_000_000L
-        const val CLOSING_MILLIS = 1000
-    }
 }
+
+private const val NANOS_PER_MICRO = 1000
+private const val FIRST_NANOS = 1_000_000_000L
+private const val TICK_MILLIS = 10L
+private const val PING_SECONDS = 1L
+private const val SILENCE_MICROS = 10_000_000L
+private const val CLOSING_MILLIS = 1000

@@ -74,11 +74,6 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
     private fun noRequests(why: String): List<Request> = emptyList<Request>().also { ignore(why) }
 
     private fun refuse(why: String): Request? = null.also { ignore(why) }
-
-    private companion object {
-        /** The default period of a client's values, in s. */
-        const val DEFAULT_SECONDS = 0.1
-    }
 }
 
 /** A request of a client. */
@@ -108,3 +103,6 @@ internal sealed interface Request {
 
     class SetProperties(val name: String, val update: JsonObject) : Request
 }
+
+/** The default period of a client's values, in s. */
+private const val DEFAULT_SECONDS = 0.1

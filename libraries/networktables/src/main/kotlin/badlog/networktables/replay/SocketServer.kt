@@ -133,14 +133,6 @@ internal class SocketServer(
     private fun endIfFlooded(socket: WebSocket, connection: Connection) {
         if ((socket as WebSocketImpl).outQueue.size > MAX_FRAMES) connection.end("It does not read its messages.")
     }
-
-    private companion object {
-        const val BINDING_SECONDS = 60L
-        const val MAX_FRAMES = 4_000
-
-        /** The maximum number of connections. Usually one or two dashboards are connected. */
-        const val MAX_CONNECTIONS = 64
-    }
 }
 
 /** Receives events of a [SocketServer]'s connections; for one connection, never concurrently. */
@@ -163,3 +155,9 @@ class UnavailablePortException internal constructor(address: InetSocketAddress, 
         },
         cause,
     )
+
+private const val BINDING_SECONDS = 60L
+private const val MAX_FRAMES = 4_000
+
+/** The maximum number of connections. Usually one or two dashboards are connected. */
+private const val MAX_CONNECTIONS = 64

@@ -51,8 +51,6 @@ internal class Subscriptions(private val signals: List<ReplayedTopic>) {
             if (request.isAll) wantsAll[signal] = true
         }
     }
-
-    private companion object {
-        const val NEVER = Long.MAX_VALUE
-    }
 }
+
+private const val NEVER = Long.MAX_VALUE

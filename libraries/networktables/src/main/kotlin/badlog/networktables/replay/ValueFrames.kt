@@ -82,10 +82,6 @@ internal class ValueFrames(private val signals: List<ReplayedTopic>) {
     }
 
     private fun MessageBufferPacker.take(): ByteBuffer = ByteBuffer.wrap(toByteArray()).also { clear() }
-
-    private companion object {
-        const val FULL_BYTES = 1200
-    }
 }
 
 /**
@@ -116,3 +112,5 @@ internal fun answerTime(frame: ByteBuffer, micros: Long): ByteBuffer? {
     }
     return if (answers.totalWrittenBytes == 0L) null else ByteBuffer.wrap(answers.toByteArray())
 }
+
+private const val FULL_BYTES = 1200

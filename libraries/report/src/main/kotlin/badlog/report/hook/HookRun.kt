@@ -82,14 +82,12 @@ internal class HookRun(
         started.forEach(ProcessHandle::destroyForcibly)
         input.join(POLL)
     }
-
-    private companion object {
-        const val POLL = 50L
-        const val MAX_OUTPUT = 64 shl 20
-        const val MAX_ERRORS = 64 shl 10
-        const val MAX_QUOTED = 300
-
-        /** The last line that R prints after any error. */
-        const val R_ENDED = "Execution halted"
-    }
 }
+
+private const val POLL = 50L
+private const val MAX_OUTPUT = 64 shl 20
+private const val MAX_ERRORS = 64 shl 10
+private const val MAX_QUOTED = 300
+
+/** The last line that R prints after any error. */
+private const val R_ENDED = "Execution halted"

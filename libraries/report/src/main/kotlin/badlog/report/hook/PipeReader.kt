@@ -52,8 +52,6 @@ internal class PipeReader(private val stream: InputStream, private val most: Int
     /** Returns the text that was read so far. */
     @Synchronized
     fun text(): String = bytes.decodeToString(0, count)
-
-    private companion object {
-        const val PIECE = 1 shl 16
-    }
 }
+
+private const val PIECE = 1 shl 16

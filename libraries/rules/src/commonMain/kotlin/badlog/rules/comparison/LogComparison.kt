@@ -181,23 +181,6 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
         val ratio = difference.value / median
         return if (ratio >= MIN_RATIO) "${threeDigitText(ratio, "")} times" else "${round(abs(away) / median * PERCENT).toInt()} % $word"
     }
-
-    private companion object {
-        /** The maximum number of other logs that a log is compared with. */
-        const val MAX_OTHERS = 20
-        const val MAX_BEYOND = 1
-        const val SMALL_SAMPLE_ALLOWANCE = 8.0
-        const val PERCENT = 100.0
-        const val MIN_SHARE = 0.03
-        const val MIN_PART = 0.25
-        const val BEYOND_SECOND = 1.5
-        const val MIN_RATIO = 3.0
-        const val MIN_AMPS = 0.5
-        const val MANY_MOTORS = 3
-
-        /** Only a few numbers are related to an incident, so a smaller difference is enough. */
-        const val MIN_STRENGTH = 0.5
-    }
 }
 
 /** Returns the resistance of a log's battery with its uncertainty: `24.8 ± 0.9 mΩ`. Empty if the log does not show it. */
@@ -222,3 +205,18 @@ private fun threeDigits(value: Double): Double {
     while (abs(value) * scale < 100 && scale < 1e6) scale *= 10
     return round(value * scale) / scale
 }
+
+/** The maximum number of other logs that a log is compared with. */
+private const val MAX_OTHERS = 20
+private const val MAX_BEYOND = 1
+private const val SMALL_SAMPLE_ALLOWANCE = 8.0
+private const val PERCENT = 100.0
+private const val MIN_SHARE = 0.03
+private const val MIN_PART = 0.25
+private const val BEYOND_SECOND = 1.5
+private const val MIN_RATIO = 3.0
+private const val MIN_AMPS = 0.5
+private const val MANY_MOTORS = 3
+
+/** Only a few numbers are related to an incident, so a smaller difference is enough. */
+private const val MIN_STRENGTH = 0.5

@@ -72,13 +72,6 @@ class Incident internal constructor(
      * @property finding the finding that shows it, with its time and its topics.
      */
     class Sentence internal constructor(val text: String, val finding: Finding)
-
-    private companion object {
-        const val MAX_EFFECTS = 2
-
-        // Effects that begin less than this after a cause count as simultaneous.
-        const val MIN_LATER = 0.1
-    }
 }
 
 /** Returns the full names of the topics that show [finding]. If it is part of this incident, the incident's topics follow. */
@@ -95,3 +88,8 @@ fun firstEvidenceOf(incidents: List<Incident>, worstFirst: List<Finding>): List<
  * Returns the next step for [finding]: this incident's, if the finding is part of one that has it, otherwise the finding's. May be empty.
  */
 fun Incident?.nextOf(finding: Finding): String = this?.next.orEmpty().ifEmpty { finding.next }
+
+private const val MAX_EFFECTS = 2
+
+// Effects that begin less than this after a cause count as simultaneous.
+private const val MIN_LATER = 0.1

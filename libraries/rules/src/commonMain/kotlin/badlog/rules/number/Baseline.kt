@@ -24,8 +24,6 @@ internal class Baseline(private val others: DoubleArray) {
     val count: Int get() = others.size
 
     private fun middleOf(sorted: DoubleArray) = (sorted[(sorted.size - 1) / 2] + sorted[sorted.size / 2]) / 2
-
-    private companion object {
-        const val NORMAL = 1.4826
-    }
 }
+
+private const val NORMAL = 1.4826

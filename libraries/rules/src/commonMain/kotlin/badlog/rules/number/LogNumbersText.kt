@@ -87,12 +87,10 @@ class LogNumbersReader {
             NumberKey(parts[0], parts[1], Measure.entries.getOrNull(parts[2].toIntOrNull() ?: -1) ?: return emptyList(), parts[3])
         }
     }
-
-    private companion object {
-        const val PARTS = 4
-        const val DISTRIBUTION_PARTS = 5
-
-        /** The index of the first value. */
-        const val FIRST = 4
-    }
 }
+
+private const val PARTS = 4
+private const val DISTRIBUTION_PARTS = 5
+
+/** The index of the first value. */
+private const val FIRST = 4

@@ -91,8 +91,6 @@ internal class PackZip(private val pack: Path) : PackFiles {
     private fun notAZip() = PackException("$pack is not a zip that can be read; make it again from the folder of the pack.")
 
     private fun shown(name: String) = name.take(MAX_SHOWN)
-
-    private companion object {
-        const val MAX_SHOWN = 100
-    }
 }
+
+private const val MAX_SHOWN = 100

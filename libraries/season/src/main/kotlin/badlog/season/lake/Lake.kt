@@ -239,9 +239,7 @@ internal class LakeRefresh(
         val ignored = outcomes.filter { it.isNoLog }.associate { it.log.source to it.message.orEmpty() }
         mark.after(outcomes.map { it.log.source }, ignored).write(folder)
     }
-
-    private companion object {
-        const val GROWTH = 4
-        const val FIRST = 4
-    }
 }
+
+private const val GROWTH = 4
+private const val FIRST = 4

@@ -80,11 +80,9 @@ internal class LakeExamination(
         val records = LogRecords(log, source, view, findings, identity, tables?.columnOf.orEmpty(), files, maker)
         return LakeEntry(log, identity.partition, files, view.recording.isSalvaged, records.all)
     }
-
-    private companion object {
-        const val MAX_PROGRAMS = 64
-        const val IO_ERROR = "IO Error"
-        const val HEX = 16
-        const val WITHOUT_SAMPLES = "-without-samples"
-    }
 }
+
+private const val MAX_PROGRAMS = 64
+private const val IO_ERROR = "IO Error"
+private const val HEX = 16
+private const val WITHOUT_SAMPLES = "-without-samples"

@@ -9,11 +9,7 @@ import java.io.Serializable
  * @property log its name in the lake.
  * @property former its former state in the lake; null if it is new.
  */
-class PlannedLog internal constructor(val source: LogSource, val log: String, val former: RegisteredLog?) : Serializable {
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
+class PlannedLog internal constructor(val source: LogSource, val log: String, val former: RegisteredLog?) : Serializable
 
 /**
  * The changes that bring a lake up to date.
@@ -74,3 +70,5 @@ class LakeInventory internal constructor(private val mark: LakeMark, registered:
             LakeInventory(mark?.let { LakeMark.of(it, folder) } ?: LakeMark(), registered)
     }
 }
+
+private const val serialVersionUID = 1L

@@ -79,11 +79,9 @@ object LakeLayout {
 internal data class Partition(val season: Int?, val event: String?) : Serializable {
     /** Its folder, in Hive's notation. */
     val path: String get() = "season=${season ?: UNKNOWN}/event=${event?.let(LakeLayout::encoded) ?: UNKNOWN}"
-
-    private companion object {
-        const val serialVersionUID = 1L
-
-        /** The name for null in all engines. */
-        const val UNKNOWN = "__HIVE_DEFAULT_PARTITION__"
-    }
 }
+
+private const val serialVersionUID = 1L
+
+/** The name for null in all engines. */
+private const val UNKNOWN = "__HIVE_DEFAULT_PARTITION__"

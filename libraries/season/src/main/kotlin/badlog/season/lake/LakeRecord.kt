@@ -6,11 +6,9 @@ import java.io.Serializable
 internal class LakeRecord(private val values: List<Any?>) : Serializable {
     /** Returns the value of the field at [index]. */
     operator fun get(index: Int): Any? = values[index]
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
 }
 
 /** A record with its partition. */
 internal class PlacedRecord(val partition: Partition, val record: LakeRecord)
+
+private const val serialVersionUID = 1L

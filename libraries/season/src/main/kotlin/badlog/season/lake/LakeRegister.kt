@@ -29,10 +29,6 @@ class RegisteredLog internal constructor(
 
     /** Returns whether [source] is unchanged and [maker] the same. */
     internal fun isOf(source: LogSource, maker: String): Boolean = size == source.size && modified == source.modified && this.maker == maker
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
 }
 
 /** Returns the logs that the lake [folder] has. */
@@ -82,3 +78,5 @@ private const val MODIFIED = 4
 
 /** A folder for the season, one for the event, and a file. */
 private const val PARTITIONED = 3
+
+private const val serialVersionUID = 1L

@@ -113,11 +113,6 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         val rows = writeParquet(connection, "SELECT * FROM ($all) ORDER BY ${table.order}", target)
         if (rows == 0L) Files.deleteIfExists(target)
     }
-
-    private companion object {
-        const val GONE = "gone"
-        const val INSERT_BATCH = 32
-    }
 }
 
 /**
@@ -155,3 +150,6 @@ private const val MAX_GROUP_CELLS = 3_000_000
 /** The number of rows that DuckDB processes at once. */
 private const val MIN_GROUP = 2_048
 private const val MAX_GROUP = 122_880
+
+private const val GONE = "gone"
+private const val INSERT_BATCH = 32

@@ -12,8 +12,6 @@ import java.io.Serializable
  * @property size the size of all its files, in bytes.
  * @property modified the time of its last change, in ms since 1970.
  */
-data class LogSource(val path: String, val file: String, val name: String, val size: Long, val modified: Long) : Serializable {
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
+data class LogSource(val path: String, val file: String, val name: String, val size: Long, val modified: Long) : Serializable
+
+private const val serialVersionUID = 1L

@@ -25,9 +25,7 @@ internal class LogTables(view: LogView, log: String, identity: LogIdentity) {
     fun write(table: Table, target: Path, engine: Engine): Long = engine.connected { connection ->
         engine.lend(table) { select -> writeParquet(connection, select, target, metadata, table.columns.size) }
     }
-
-    private companion object {
-        /** The key of the description of the topics in the file's metadata. */
-        const val METADATA = "badlog"
-    }
 }
+
+/** The key of the description of the topics in the file's metadata. */
+private const val METADATA = "badlog"

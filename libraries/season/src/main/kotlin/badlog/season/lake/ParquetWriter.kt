@@ -53,8 +53,6 @@ class ParquetWriter : AutoCloseable {
     }
 
     override fun close(): Unit = engine.close()
-
-    private companion object {
-        const val SERIES = ".series.parquet"
-    }
 }
+
+private const val SERIES = ".series.parquet"

@@ -100,8 +100,6 @@ internal class TextsInRows(private val topic: Topic) {
     } else {
         "$number"
     }
-
-    private companion object {
-        const val MAX_WHOLE = 1e15
-    }
 }
+
+private const val MAX_WHOLE = 1e15

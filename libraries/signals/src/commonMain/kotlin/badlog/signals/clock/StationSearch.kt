@@ -113,24 +113,22 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
         }
         return candidates.filter { common(it) > 0 }.maxByOrNull(::common)
     }
-
-    private companion object {
-        /** The maximum number of logs that may begin before and during a robot's log. */
-        const val MAX_AT_TIME = 16
-
-        /** The maximum length of a Driver Station log, in s. */
-        const val LONGEST = 86_400.0
-
-        /** Clocks that are not set to daylight saving time are an hour off. */
-        const val HOUR = 3600.0
-
-        /** A match has at least two: its start and its end. */
-        const val MIN_EDGES = 2
-
-        /** The maximum difference between clocks that were set by each other, in s. */
-        const val NEAR_CLOCKS = 5.0
-
-        /** Both clocks are known to the second. */
-        const val CLOCK_ERROR = 1.0
-    }
 }
+
+/** The maximum number of logs that may begin before and during a robot's log. */
+private const val MAX_AT_TIME = 16
+
+/** The maximum length of a Driver Station log, in s. */
+private const val LONGEST = 86_400.0
+
+/** Clocks that are not set to daylight saving time are an hour off. */
+private const val HOUR = 3600.0
+
+/** A match has at least two: its start and its end. */
+private const val MIN_EDGES = 2
+
+/** The maximum difference between clocks that were set by each other, in s. */
+private const val NEAR_CLOCKS = 5.0
+
+/** Both clocks are known to the second. */
+private const val CLOCK_ERROR = 1.0

@@ -60,16 +60,6 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
         val turns = if (minOf(back, moving.size - back) > OFTEN * moving.size) RARE_TURNS else TURNS
         return minOf(against, moving.size - against, back, moving.size - back) > turns * moving.size
     }
-
-    private companion object {
-        const val SAME_SPEED = 0.9997
-        const val SAME_PLACE = 0.9997
-        const val ALIKE = 0.6
-        const val MOVING = 0.04
-        const val TURNS = 0.004
-        const val RARE_TURNS = 0.001
-        const val OFTEN = 0.2
-    }
 }
 
 /** Returns the correlation of [one] and [other], -1 to 1, where both are finite. 0 if one of them is constant. */
@@ -93,3 +83,11 @@ fun correlation(one: DoubleArray, other: DoubleArray, from: Int = 0, until: Int 
     }
     return if (squaresA > 0 && squaresB > 0) products / sqrt(squaresA * squaresB) else 0.0
 }
+
+private const val SAME_SPEED = 0.9997
+private const val SAME_PLACE = 0.9997
+private const val ALIKE = 0.6
+private const val MOVING = 0.04
+private const val TURNS = 0.004
+private const val RARE_TURNS = 0.001
+private const val OFTEN = 0.2

@@ -221,34 +221,32 @@ class Following(
     }
 
     private fun samples(value: (Int) -> Double) = Series(times, DoubleArray(times.size) { if (isEnabled[it]) value(it) else Double.NaN })
-
-    private companion object {
-        const val PERCENT = 100.0
-
-        // Of the range, or of the largest speed.
-        const val NEAR = 0.1
-        const val STILL = 0.01
-        const val ROUGHLY = 0.4
-        const val MIN_TARGET = 0.1
-        const val MIN_REACHED = 0.4
-
-        // Targets that differ less are the same.
-        const val SAME = 0.002
-        const val SETTLED_SECONDS = 1.0
-        const val STAYED_SECONDS = 0.4
-        const val NEARER = 0.03
-        const val SPUN_UP_SECONDS = 1.0
-        const val STEADY_SECONDS = 0.4
-        const val STEADY = 0.04
-        const val SWITCHED_OFF = 60.0
-        const val STEP_SECONDS = 0.6
-        const val MIN_STEP = 0.25
-        const val SWING_SECONDS = 2.0
-        const val MIN_SWING = 0.012
-        const val MIN_TURNS = 3
-
-        // 2 for noise, 0.6 for a sine with eight values.
-        const val SMOOTH = 0.6
-        const val MIN_EVEN = 0.4
-    }
 }
+
+private const val PERCENT = 100.0
+
+// Of the range, or of the largest speed.
+private const val NEAR = 0.1
+private const val STILL = 0.01
+private const val ROUGHLY = 0.4
+private const val MIN_TARGET = 0.1
+private const val MIN_REACHED = 0.4
+
+// Targets that differ less are the same.
+private const val SAME = 0.002
+private const val SETTLED_SECONDS = 1.0
+private const val STAYED_SECONDS = 0.4
+private const val NEARER = 0.03
+private const val SPUN_UP_SECONDS = 1.0
+private const val STEADY_SECONDS = 0.4
+private const val STEADY = 0.04
+private const val SWITCHED_OFF = 60.0
+private const val STEP_SECONDS = 0.6
+private const val MIN_STEP = 0.25
+private const val SWING_SECONDS = 2.0
+private const val MIN_SWING = 0.012
+private const val MIN_TURNS = 3
+
+// 2 for noise, 0.6 for a sine with eight values.
+private const val SMOOTH = 0.6
+private const val MIN_EVEN = 0.4

@@ -59,10 +59,8 @@ class NoSensors(private val log: Signals) {
 
     /** Returns the common name of an array's elements, without their index. */
     private fun arrayOf(topic: String) = topic.substringBefore('[') + "[]" + topic.substringAfter(']')
-
-    private companion object {
-        /** The least number of times that an element comes or goes; the start counts if it is missing first. */
-        const val MIN_CHANGES = 3
-        const val LENGTH = "/length"
-    }
 }
+
+/** The least number of times that an element comes or goes; the start counts if it is missing first. */
+private const val MIN_CHANGES = 3
+private const val LENGTH = "/length"

@@ -127,9 +127,7 @@ class SignalTopics(
         val reason = "fits “${pattern.pattern.text}”" + if (isKnownFrom.isEmpty()) "" else ", $isKnownFrom"
         return SignalTopic(signal.name, source, wanted ?: unit.orEmpty(), reason, scale, device, atMost = signal.atMost)
     }
-
-    private companion object {
-        const val PERCENT = "%"
-        const val MILLISECONDS = "ms"
-    }
 }
+
+private const val PERCENT = "%"
+private const val MILLISECONDS = "ms"

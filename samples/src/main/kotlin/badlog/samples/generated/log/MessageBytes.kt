@@ -29,10 +29,6 @@ internal class MessageBytes {
         }
         out.write(left.toInt())
     }
-
-    private companion object {
-        const val SIZED = 2L
-    }
 }
 
 // The types of fields in descriptors.
@@ -71,3 +67,5 @@ internal enum class Message(val typeName: String, private vararg val fields: Pai
         }.bytes
     }
 }
+
+private const val SIZED = 2L

@@ -98,15 +98,13 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
         }
         motor.command = volts.coerceIn(-10.0, 10.0)
     }
-
-    private companion object {
-        const val LOWEST = -0.35
-        const val HIGHEST = 1.75
-
-        // The encoder's resolution: a turn in 4,096 steps.
-        const val STEP = 2 * PI / 4096
-
-        // The angle read without an encoder: the code subtracts its offset from 0.
-        const val DEAD = -0.9
-    }
 }
+
+private const val LOWEST = -0.35
+private const val HIGHEST = 1.75
+
+// The encoder's resolution: a turn in 4,096 steps.
+private const val STEP = 2 * PI / 4096
+
+// The angle read without an encoder: the code subtracts its offset from 0.
+private const val DEAD = -0.9

@@ -48,21 +48,19 @@ internal class Battery(restVolts: Double, val resistance: Double) {
         energy += volts * amperes * dt
         heat += (openVolts - volts) * amperes * dt
     }
-
-    private companion object {
-        // 18 Ah at the 20 h rate; at a robot's currents, about two thirds of that are available.
-        const val CAPACITY = 18.0 * 3600 * 0.65
-        const val VOLTS_OVER_CHARGE = 1.1
-        const val SLOW_SECONDS = 12.0
-        const val SLOW_RESISTANCE = 0.003
-
-        // The controllers' capacitors smooth the jump of a step.
-        const val FOLLOWING = 0.7
-
-        // Below that, the roboRIO is off, and there would be no log.
-        const val MIN_VOLTS = 4.8
-
-        // Controllers turn the energy of braking motors beyond this voltage into heat.
-        const val MAX_VOLTS = 13.45
-    }
 }
+
+// 18 Ah at the 20 h rate; at a robot's currents, about two thirds of that are available.
+private const val CAPACITY = 18.0 * 3600 * 0.65
+private const val VOLTS_OVER_CHARGE = 1.1
+private const val SLOW_SECONDS = 12.0
+private const val SLOW_RESISTANCE = 0.003
+
+// The controllers' capacitors smooth the jump of a step.
+private const val FOLLOWING = 0.7
+
+// Below that, the roboRIO is off, and there would be no log.
+private const val MIN_VOLTS = 4.8
+
+// Controllers turn the energy of braking motors beyond this voltage into heat.
+private const val MAX_VOLTS = 13.45

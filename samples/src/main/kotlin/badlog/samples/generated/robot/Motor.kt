@@ -157,12 +157,10 @@ internal class Motor(
         val heat = current * current * resistance
         temperature += dt * (heat / HEAT_CAPACITY - (temperature - 24) / COOLING_SECONDS)
     }
-
-    private companion object {
-        const val BRAKING = 0.45
-
-        // The heat capacity of the windings and their surroundings, in J/K.
-        const val HEAT_CAPACITY = 420.0
-        const val COOLING_SECONDS = 260.0
-    }
 }
+
+private const val BRAKING = 0.45
+
+// The heat capacity of the windings and their surroundings, in J/K.
+private const val HEAT_CAPACITY = 420.0
+private const val COOLING_SECONDS = 260.0

@@ -105,8 +105,6 @@ internal class Odometry(private val drive: Drive, private val gyro: Gyro) {
         x += TRUST * (camera.x - x)
         y += TRUST * (camera.y - y)
     }
-
-    private companion object {
-        const val TRUST = 0.25
-    }
 }
+
+private const val TRUST = 0.25

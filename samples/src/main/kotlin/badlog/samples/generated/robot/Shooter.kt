@@ -57,9 +57,7 @@ internal class Shooter(val device: Device, private val inertia: Double) {
         val volts = rate * inertia / motor.kind.torquePerAmpere / motor.count * motor.kind.resistance
         return (error * 0.5).coerceIn(-volts, volts)
     }
-
-    private companion object {
-        // The total delay of the loops held back, a status frame, and the loop that uses it.
-        const val DELAY_SECONDS = 0.17
-    }
 }
+
+// The total delay of the loops held back, a status frame, and the loop that uses it.
+private const val DELAY_SECONDS = 0.17

@@ -180,8 +180,6 @@ public class RecordCopy(
         if (out.size > 0) sink(out.bytes, out.size)
         out.clear()
     }
-
-    private companion object {
-        const val PIECE = 1 shl 16
-    }
 }
+
+private const val PIECE = 1 shl 16

@@ -166,8 +166,6 @@ public class RecordMerge(private val entries: List<MergedEntry>) {
         for (i in 0 until Int.SIZE_BYTES) payload[1 + i] = (id ushr 8 * i).toByte()
         out.record(0, micros, payload, 0, payload.size)
     }
-
-    private companion object {
-        const val PIECE = 1 shl 16
-    }
 }
+
+private const val PIECE = 1 shl 16

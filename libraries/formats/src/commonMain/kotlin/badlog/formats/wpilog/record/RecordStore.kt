@@ -110,10 +110,6 @@ internal class RecordStore {
     private fun bytes(index: Int) = chunks[chunk[index]]
 
     private fun sessionOf(index: Int) = session[index].let { if (it < 0) -1 - it else it }
-
-    private companion object {
-        const val CHUNK = 1 shl 20
-    }
 }
 
 /** A growing list of numbers, without an object for each. */
@@ -136,3 +132,5 @@ internal class IntList {
 
     fun toArray(): IntArray = numbers.copyOf(size)
 }
+
+private const val CHUNK = 1 shl 20

@@ -14,11 +14,7 @@ import java.util.concurrent.ConcurrentHashMap
  * @property rules the rules for findings, as JSON.
  * @property hasSamples whether the lake has files of samples for each log besides the tables of all logs.
  */
-internal data class LakeWork(val rules: String, val hasSamples: Boolean) : Serializable {
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
+internal data class LakeWork(val rules: String, val hasSamples: Boolean) : Serializable
 
 /** The makers of lake pieces in this executor. Each kind of work has one, because starting DuckDB takes longer than the work on a log. */
 internal object ExecutorPieces {
@@ -43,3 +39,5 @@ internal fun <R> withScratchFolder(work: (Path) -> R): R {
         folder.toFile().deleteRecursively()
     }
 }
+
+private const val serialVersionUID = 1L

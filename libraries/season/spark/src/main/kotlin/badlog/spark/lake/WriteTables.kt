@@ -31,10 +31,6 @@ internal class WriteTables(private val lake: RemoteFolder, private val work: Lak
     }
 
     private fun putBack(local: Path, name: String) = if (Files.exists(local)) lake.put(local, name) else lake.delete(name)
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
 }
 
 /** The changes in [pieces], sorted by partition. The outcome for each log is added to [outcomes]. */
@@ -55,3 +51,5 @@ private class PartitionChanges(private val pieces: Iterator<Tuple2<String, LogPi
 
     private fun take() = if (pieces.hasNext()) pieces.next() else null
 }
+
+private const val serialVersionUID = 1L

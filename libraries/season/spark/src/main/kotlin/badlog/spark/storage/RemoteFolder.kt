@@ -98,12 +98,10 @@ internal class RemoteFolder(private val address: String, private val configurati
 
     /** Returns the file system; for a disk, the one that writes no checksum files. */
     private fun system(): FileSystem = withoutChecksums(top.getFileSystem(configuration.value()))
-
-    private companion object {
-        const val serialVersionUID = 1L
-        const val BUFFER = 1 shl 17
-    }
 }
 
 /** Returns [system]; for a disk, the one that writes no checksum files. */
 internal fun withoutChecksums(system: FileSystem): FileSystem = if (system is LocalFileSystem) system.raw else system
+
+private const val serialVersionUID = 1L
+private const val BUFFER = 1 shl 17

@@ -30,10 +30,6 @@ internal class RemoteLog(val source: LogSource, val files: List<String>) : Seria
             withoutChecksums(path.getFileSystem(configuration)).open(path).use { Files.copy(it, copy) }
         }
     }.first()
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
 }
 
 /**
@@ -89,3 +85,5 @@ internal fun addressOf(path: Path): String = if (path.toUri().scheme in DISK) pa
 private fun plainPath(status: FileStatus) = java.nio.file.Path.of(status.path.toUri().path)
 
 private val DISK = setOf(null, "file")
+
+private const val serialVersionUID = 1L

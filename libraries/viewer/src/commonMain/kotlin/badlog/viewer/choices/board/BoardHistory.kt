@@ -71,8 +71,6 @@ class BoardHistory private constructor(private val steps: List<Board>, private v
     }
 
     private fun BoardGraph.isOnceSame(other: BoardGraph) = title == other.title || lines.any { it in other.lines }
-
-    private companion object {
-        const val MAX_STEPS = 100
-    }
 }
+
+private const val MAX_STEPS = 100

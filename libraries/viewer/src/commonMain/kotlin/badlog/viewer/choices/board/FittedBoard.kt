@@ -20,11 +20,6 @@ class FittedBoard(val board: Board, val missing: List<String>, val dropped: List
                 else -> "${dropped.size} graphs hidden: topics not in this log ($names$more)."
             }
         }
-
-    private companion object {
-        const val MAX_NAMES = 3
-        const val MAX_NAME_LENGTH = 60
-    }
 }
 
 /**
@@ -69,3 +64,6 @@ fun Board.identifiedByLines(): Board {
 
 /** The id derived from the graph's lines, which it has unless that id is taken on its board. */
 internal val BoardGraph.idOfLines: Int get() = (lines.hashCode() * 2 + (if (isXy) 1 else 0)) and Int.MAX_VALUE
+
+private const val MAX_NAMES = 3
+private const val MAX_NAME_LENGTH = 60

@@ -50,11 +50,6 @@ data class Plane(val x: Span, val y: Span) {
     private fun scaled(span: Span, factor: Double, at: Double) = Span(at + (span.from - at) * factor, at + (span.to - at) * factor)
 
     private fun isDrawable(span: Span) = span.width > FINEST * maxOf(1.0, span.from, -span.from) && span.width < COARSEST
-
-    private companion object {
-        const val FINEST = 1e-9
-        const val COARSEST = 1e12
-    }
 }
 
 /**
@@ -82,3 +77,6 @@ enum class FieldOrigin(val label: String) {
         fun of(key: String?): FieldOrigin? = entries.find { it.key == key }
     }
 }
+
+private const val FINEST = 1e-9
+private const val COARSEST = 1e12

@@ -169,10 +169,8 @@ class Curve(private val series: Series, private val holdsUntil: Double? = null) 
         if (!(min <= value)) min = value
         if (!(max >= value)) max = value
     }
-
-    private companion object {
-        const val SAMPLES_PER_COLUMN = 3
-        const val COLUMNS_PER_DOT = 12
-        const val FIRST_POINTS = 256
-    }
 }
+
+private const val SAMPLES_PER_COLUMN = 3
+private const val COLUMNS_PER_DOT = 12
+private const val FIRST_POINTS = 256

@@ -120,12 +120,6 @@ class Strokes {
 
     private fun isAlone(curve: Curve, index: Int) =
         (index == 0 || curve.y[index - 1].isNaN()) && (index == curve.size - 1 || curve.y[index + 1].isNaN())
-
-    private companion object {
-        const val FIRST_POINTS = 512
-        const val FIRST_STROKES = 8
-        const val FIRST_DOTS = 32
-    }
 }
 
 /**
@@ -168,3 +162,7 @@ class Scale(
         private const val MAX_DISTANCE = 50.0
     }
 }
+
+private const val FIRST_POINTS = 512
+private const val FIRST_STROKES = 8
+private const val FIRST_DOTS = 32

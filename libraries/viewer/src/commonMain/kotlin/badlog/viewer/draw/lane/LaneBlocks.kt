@@ -79,11 +79,6 @@ class LaneBlocks {
         right[size] = to
         states[size++] = state
     }
-
-    private companion object {
-        const val NONE = -1
-        const val FIRST_BLOCKS = 32
-    }
 }
 
 /** The tone of a block of a lane. */
@@ -132,3 +127,6 @@ object LaneLook {
 
     private const val PART = 40.0
 }
+
+private const val NONE = -1
+private const val FIRST_BLOCKS = 32

@@ -124,18 +124,6 @@ class FindingMarks {
 
     private fun columnOf(x: Double, span: Span, columns: Int) =
         floor((x - span.from) / span.width * columns).coerceIn(0.0, columns - 1.0).toInt()
-
-    private companion object {
-        /**
-         * The distance below which two glyphs are merged, in CSS pixels or dp. Drawing a thousand of them would take a whole frame, and
-         * show nothing more.
-         */
-        const val CROWDED = 4
-
-        /** The minimum distance between two lines, in CSS pixels or dp. */
-        const val APART = 9
-        const val FIRST_MARKS = 16
-    }
 }
 
 /** The maximum distance between a cursor and a mark that it points at, as a fraction of the visible width. */
@@ -153,3 +141,13 @@ fun markNear(x: Double, visible: Span, notes: List<Note>, events: EventTimeline)
     if (note != null) return MarkText(note.x, note.text)
     return events.nearest(x, reach)?.let { MarkText(it.x, it.text) }
 }
+
+/**
+ * The distance below which two glyphs are merged, in CSS pixels or dp. Drawing a thousand of them would take a whole frame, and
+ * show nothing more.
+ */
+private const val CROWDED = 4
+
+/** The minimum distance between two lines, in CSS pixels or dp. */
+private const val APART = 9
+private const val FIRST_MARKS = 16

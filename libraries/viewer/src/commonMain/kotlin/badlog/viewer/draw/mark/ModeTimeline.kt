@@ -159,8 +159,6 @@ class ModeBands {
         right[size] = to
         modes[size++] = mode.ordinal
     }
-
-    private companion object {
-        const val FIRST_BANDS = 8
-    }
 }
+
+private const val FIRST_BANDS = 8

@@ -176,27 +176,25 @@ internal class TakenPixels {
         add(x.toDouble(), y)
         lift()
     }
-
-    internal companion object {
-        private const val NONE = -1
-        private const val WORD_BITS = 5
-        private const val WORD = 1 shl WORD_BITS
-        private const val HALF = 0.5
-
-        /** The width of the margin of cells around the picture. Half of a line in the inner ones may still be visible. */
-        private const val AROUND = 2
-
-        /** The start of the inner cells. */
-        private const val FIRST = 1.0 - AROUND
-
-        /** The bits of a fraction of a pixel. With so many, a line of thousands of steps ends less than a pixel off. */
-        private const val FINE_BITS = 15
-        private const val FINE = 1 shl FINE_BITS
-
-        /** The number of words that are worth reading for each sample that they may save. */
-        private const val WORDS_PER_SAMPLE = 8
-
-        /** The maximum number of lines that may cross each pixel, on average. */
-        private const val STEPS_PER_PIXEL = 4
-    }
 }
+
+private const val NONE = -1
+private const val WORD_BITS = 5
+private const val WORD = 1 shl WORD_BITS
+private const val HALF = 0.5
+
+/** The width of the margin of cells around the picture. Half of a line in the inner ones may still be visible. */
+private const val AROUND = 2
+
+/** The start of the inner cells. */
+private const val FIRST = 1.0 - AROUND
+
+/** The bits of a fraction of a pixel. With so many, a line of thousands of steps ends less than a pixel off. */
+private const val FINE_BITS = 15
+private const val FINE = 1 shl FINE_BITS
+
+/** The number of words that are worth reading for each sample that they may save. */
+private const val WORDS_PER_SAMPLE = 8
+
+/** The maximum number of lines that may cross each pixel, on average. */
+private const val STEPS_PER_PIXEL = 4

@@ -95,17 +95,15 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
             pixels.runs(strokes, gap = if (isJoined) 0 else DOT_GAP)
         }
     }
-
-    private companion object {
-        const val NONE = -1
-
-        /** The maximum distance in pixels between a line and the samples that it passes over; less is invisible. */
-        const val BEND = 0.25
-
-        /** The number of free pixels between two dots that the dots cover: they are 3.5 pixels wide, or more. */
-        const val DOT_GAP = 2
-
-        /** The number of samples above which a trail is drawn in the thinnest lines, or as rows of dots. */
-        const val DENSE = 20_000
-    }
 }
+
+private const val NONE = -1
+
+/** The maximum distance in pixels between a line and the samples that it passes over; less is invisible. */
+private const val BEND = 0.25
+
+/** The number of free pixels between two dots that the dots cover: they are 3.5 pixels wide, or more. */
+private const val DOT_GAP = 2
+
+/** The number of samples above which a trail is drawn in the thinnest lines, or as rows of dots. */
+private const val DENSE = 20_000

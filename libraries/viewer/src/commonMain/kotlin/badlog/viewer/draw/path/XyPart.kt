@@ -91,10 +91,6 @@ class XyEntry internal constructor(private val part: XyPart, private val trace: 
         val texts = listOfNotNull(cursors.x, cursors.second).map { trace.textAt(it - part.log.offset, part.plot.isField) }
         return if (texts.all { it.isEmpty() }) "" else texts.joinToString(" → ") { it.ifEmpty { NOWHERE } }
     }
-
-    private companion object {
-        const val NOWHERE = "–"
-    }
 }
 
 /**
@@ -122,3 +118,5 @@ class LogPaths(internal val view: LogView, private val field: Field, private val
     fun plotOf(lines: List<String>, origin: FieldOrigin = FieldOrigin.BLUE): XyPlot? =
         xyPlotOf(lines, poses, modules, origin.flipIn(view, field), field, view.secondsPerX, line)
 }
+
+private const val NOWHERE = "–"

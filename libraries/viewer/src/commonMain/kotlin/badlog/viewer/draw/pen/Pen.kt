@@ -128,10 +128,6 @@ class Points {
         size = 0
         return this
     }
-
-    private companion object {
-        const val FIRST = 32
-    }
 }
 
 /** Returns [text], or its beginning and `…` if it is wider than [room]. */
@@ -153,3 +149,5 @@ private fun Pen.fitted(text: String, room: Double, letters: Double, isBold: Bool
     }
     return cut(fits)
 }
+
+private const val FIRST = 32

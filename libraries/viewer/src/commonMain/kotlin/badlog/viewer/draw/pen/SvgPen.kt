@@ -180,12 +180,6 @@ class SvgPen(
             return Clip(fromX, fromY, maxOf(fromX, minOf(right, outer.right)), maxOf(fromY, minOf(bottom, outer.bottom)), name)
         }
     }
-
-    private companion object {
-        const val PER_LINE = 4
-        const val ALPHA_BITS = 24
-        const val OPAQUE = 255.0
-    }
 }
 
 /** Returns [value] with at most two decimals. A hundredth of a pixel is invisible, and further digits would take most of the file. */
@@ -224,3 +218,7 @@ private fun xmlOf(text: String) = buildString {
 }
 
 private const val NO_LETTER = '\uFFFE'
+
+private const val PER_LINE = 4
+private const val ALPHA_BITS = 24
+private const val OPAQUE = 255.0

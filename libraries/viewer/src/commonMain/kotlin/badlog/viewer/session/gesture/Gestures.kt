@@ -303,9 +303,7 @@ class XyGestures(private val target: XyTarget) : Gestures(target) {
             before = target.place.cursors.x,
         )
     }
-
-    private companion object {
-        /** The maximum distance between the path and a pointer that selects it, in CSS pixels or dp. */
-        const val REACH = 60.0
-    }
 }
+
+/** The maximum distance between the path and a pointer that selects it, in CSS pixels or dp. */
+private const val REACH = 60.0

@@ -47,21 +47,19 @@ class FrameClock {
      * seconds from the video's start. It is the middle of that frame, because players round, and never before the start.
      */
     fun step(time: Double, count: Int): Double = maxOf(0.0, time + (count + MIDDLE) * frameSeconds)
-
-    private companion object {
-        /**
-         * The first guess, in seconds. At 60 frames per second, the first step is right; with fewer, it ends too early, and [lengthen] is
-         * called.
-         */
-        const val FIRST_GUESS = 1.0 / 60
-        const val MIN_FRAME = 0.002
-        const val MAX_FRAME = 0.25
-        const val MIDDLE = 0.5
-
-        /** The smallest ratio to the shortest duration that rounding explains. */
-        const val SAME = 0.75
-
-        /** The maximum number of frames for which the rounding error of the shortest duration stays below a frame. */
-        const val MAX_COUNT = 8
-    }
 }
+
+/**
+ * The first guess, in seconds. At 60 frames per second, the first step is right; with fewer, it ends too early, and [lengthen] is
+ * called.
+ */
+private const val FIRST_GUESS = 1.0 / 60
+private const val MIN_FRAME = 0.002
+private const val MAX_FRAME = 0.25
+private const val MIDDLE = 0.5
+
+/** The smallest ratio to the shortest duration that rounding explains. */
+private const val SAME = 0.75
+
+/** The maximum number of frames for which the rounding error of the shortest duration stays below a frame. */
+private const val MAX_COUNT = 8

@@ -105,10 +105,6 @@ class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
 class CursorValue(val line: Int, val change: Double) {
     /** Whether the line changed by more than noise at the cursor. */
     val hasChanged: Boolean get() = change > NOISE
-
-    private companion object {
-        const val NOISE = 0.02
-    }
 }
 
 /**
@@ -227,3 +223,5 @@ private fun ascending(positions: DoubleArray): Series {
     sorted.sort()
     return Series(sorted, sorted)
 }
+
+private const val NOISE = 0.02

@@ -44,11 +44,6 @@ class Arrivals<E : ListedLog> private constructor(private val known: Map<String,
         val left = waiting.filter { it.path != path }
         return if (left.size == waiting.size) this else Arrivals(known, left)
     }
-
-    private companion object {
-        /** The stand-in for the size of a file that has arrived, and does not arrive again. */
-        const val ARRIVED = -1L
-    }
 }
 
 /**
@@ -66,3 +61,6 @@ private fun outcomeOf(found: FindingSummary?): String {
     val counts = listOf(verdict.errors to "error", verdict.warnings to "warning").filter { it.first > 0 }
     return counts.joinToString { (count, what) -> countText(count, what) } + ". ${verdict.headline}."
 }
+
+/** The stand-in for the size of a file that has arrived, and does not arrive again. */
+private const val ARRIVED = -1L

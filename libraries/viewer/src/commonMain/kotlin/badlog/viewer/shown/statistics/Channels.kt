@@ -33,11 +33,6 @@ class RankedChannel(val topic: String, val name: String, val charge: Double?, va
 
     /** Returns the number for a ranking by [order]; the peak if the charge is unknown. */
     fun by(order: ChannelOrder): Double = if (order == ChannelOrder.CHARGE && charge != null) charge else peak
-
-    private companion object {
-        const val DECIMALS = 3
-        const val PERCENT = 100
-    }
 }
 
 /**
@@ -101,3 +96,6 @@ class Channels private constructor(private val view: LogView, private val lines:
         private const val SECONDS_PER_HOUR = 3600.0
     }
 }
+
+private const val DECIMALS = 3
+private const val PERCENT = 100

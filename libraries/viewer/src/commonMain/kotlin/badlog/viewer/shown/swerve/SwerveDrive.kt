@@ -121,11 +121,6 @@ internal class WheelLines(val speed: GraphSeries, val angle: GraphSeries, privat
     fun speedOf(sample: Int): Double = if (sample < 0) Double.NaN else speed.data.y[sample] * meters
 
     fun angleOf(sample: Int): Double = if (sample < 0) Double.NaN else angle.data.y[sample] * radians
-
-    private companion object {
-        /** The share of samples that are not higher than [fastest]. */
-        const val HIGH = 0.995
-    }
 }
 
 /**
@@ -161,3 +156,6 @@ private val TRIANGLE = listOf(ModulePlace(1.0, 1.0), ModulePlace(1.0, -1.0), Mod
 /** The corners, front before back, left before right. */
 private val CORNER_PLACES: List<ModulePlace> =
     listOf(ModulePlace(1.0, 1.0), ModulePlace(1.0, -1.0), ModulePlace(-1.0, 1.0), ModulePlace(-1.0, -1.0))
+
+/** The share of samples that are not higher than [fastest]. */
+private const val HIGH = 0.995

@@ -24,11 +24,6 @@ class PenPicture(private val pixels: IntArray) {
     fun dark(most: Int): Int = pixels.count { pixel -> (0..16 step 8).all { part(pixel, it) <= most } }
 
     private fun part(color: Int, shift: Int) = (color shr shift) and 0xFF
-
-    private companion object {
-        /** A smoothed edge may be a shade of white that is invisible. */
-        const val WHITE_PART = 224
-    }
 }
 
 /** A part of a picture. */
@@ -39,3 +34,6 @@ data class PenBox(val left: Double, val top: Double, val right: Double, val bott
         return distances.maxOf { abs(it) }
     }
 }
+
+/** A smoothed edge may be a shade of white that is invisible. */
+private const val WHITE_PART = 224

@@ -38,21 +38,6 @@ class PenText(
     }
 
     private fun write(pen: Pen) = pen.text(TEXT, x, MIDDLE, LETTERS, BLACK, side, isBold, halo)
-
-    private companion object {
-        /** Only letters of equal height. */
-        const val TEXT = "nearer means sooner"
-        const val LETTERS = 16.0
-        const val MIDDLE = 50.0
-        const val CLIP_RIGHT = 100.0
-        const val BLACK = 0xFF shl 24
-
-        /** The width of a halo's outline. */
-        const val OUTLINE = 1.5
-
-        /** The height of small letters as a fraction of the font size: 0.52 to 0.55 in fonts without serifs. */
-        const val SMALL_LETTERS = 0.53
-    }
 }
 
 /** Texts on each side of their places, by name. */
@@ -65,3 +50,16 @@ val PEN_TEXTS: Map<String, PenText> = mapOf(
 
 /** The tolerance in pixels between a text and its [PenText.boxFor]: letters do not begin right at their left edge. */
 const val TEXT_TOLERANCE: Double = 3.0
+
+/** Only letters of equal height. */
+private const val TEXT = "nearer means sooner"
+private const val LETTERS = 16.0
+private const val MIDDLE = 50.0
+private const val CLIP_RIGHT = 100.0
+private const val BLACK = 0xFF shl 24
+
+/** The width of a halo's outline. */
+private const val OUTLINE = 1.5
+
+/** The height of small letters as a fraction of the font size: 0.52 to 0.55 in fonts without serifs. */
+private const val SMALL_LETTERS = 0.53
