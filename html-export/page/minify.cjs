@@ -15,6 +15,6 @@ const declared = `${source};class Names{${[...names].map(name => `${name}(){}`).
 // docs/decisions/page-build.md.
 const shortened = minifySync(declared, { ...options, compress: false, mangle: { toplevel: false, props: { regex: '(_1|_k\\$?)$' } } })
 
-// Functions in one place, and comparisons as they were written, repeat more, which packs better.
-const compress = { passes: 4, toplevel: true, hoist_funs: true, comparisons: false }
+// Functions in one place, and comparisons, loops and variables as they were written, repeat more, which packs better.
+const compress = { passes: 4, toplevel: true, hoist_funs: true, comparisons: false, loops: false, collapse_vars: false }
 writeFileSync(output, minifySync(shortened.code, { ...options, compress, mangle: { toplevel: true } }).code)
