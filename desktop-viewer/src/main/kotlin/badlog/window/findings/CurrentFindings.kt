@@ -81,7 +81,7 @@ internal class CurrentFindings(
                 select(selected?.let(list::like))
                 view.send(FindingAction.Know)
                 if (worstRequested == wanted.file) goToWorst() else beginWithFirst(list)
-                runInterruptible(Dispatchers.IO) { returnUnusedMemory(logged.recording.sampleCount) }
+                if (logged.recording.sampleCount > MANY_SAMPLES) runInterruptible(Dispatchers.IO) { returnUnusedMemory() }
                 rest(began.elapsedNow())
             }
         }
@@ -145,6 +145,9 @@ internal class CurrentFindings(
 
     private companion object {
         val PATIENCE = 3.seconds
+
+        /** The number of samples in a log that needs more memory than all else in the window. */
+        const val MANY_SAMPLES = 5_000_000L
     }
 }
 

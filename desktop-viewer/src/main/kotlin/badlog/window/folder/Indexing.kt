@@ -8,6 +8,7 @@ import badlog.catalog.folder.LogReading
 import badlog.exporter.BADLOG_VERSION
 import badlog.files.FolderScan
 import badlog.files.LogFile
+import badlog.window.task.returnUnusedMemory
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
@@ -165,12 +166,17 @@ internal class Indexing(
                 }
                 found.found?.let { queue.searched(found, it) }
             } finally {
-                if (file.size > LARGE) largeFile.unlock()
+                if (file.size > LARGE) leaveLargeFile()
             }
         } finally {
             if (!isDone) queue.abandoned(file)
             countUpdate()
         }
+    }
+
+    private fun leaveLargeFile() {
+        largeFile.unlock()
+        returnUnusedMemory()
     }
 
     // The rules do not run here over a log that is being written.
@@ -188,7 +194,7 @@ internal class Indexing(
             val found = try {
                 reading.found(entry.source) { ensureActive() }
             } finally {
-                if (entry.source.size > LARGE) largeFile.unlock()
+                if (entry.source.size > LARGE) leaveLargeFile()
             }
             queue.searched(entry, found)
             countUpdate()
