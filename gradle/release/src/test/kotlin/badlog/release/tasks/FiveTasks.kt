@@ -170,7 +170,6 @@ private fun Walk.addKeys() {
         "    KeyAction.CLEAR_CURSORS -> Outcome(at(place.copy(cursors = Cursors())), Request.Cursor)\n" +
             "    KeyAction.REPEAT_VALUES -> Outcome(this, Request.Repeat)\n",
     )
-    insert("Reduce", "import badlog.viewer.input.KeyAction\n", "import badlog.viewer.shown.cursor.Cursors\n")
     insert(
         "ReduceSpec",
         "beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.SECOND_CURSOR, KeyAction.SECOND_CURSOR).place.cursors.second shouldBe null\n    }\n",
